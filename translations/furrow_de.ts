@@ -426,7 +426,7 @@
     </message>
 </context>
 <context>
-    <name>DraftHint</name>
+    <name>SketchHint</name>
     <message>
         <source>Click the first corner of the field</source>
         <translation>Auf die erste Ecke des Schlags klicken</translation>

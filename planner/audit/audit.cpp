@@ -6,6 +6,44 @@
 
 namespace furrow {
 
+namespace {
+
+void addAreas(AuditReport& report, const SweptArea& swept) {
+    report.covered = swept.covered;
+    report.coveredShare = report.workable > squareMetres(0.0) ? swept.covered / report.workable : 0.0;
+    report.coveredOfReachable = swept.coveredOfReachable;
+    report.missed = swept.missedArea;
+    report.leftOnPurpose = swept.leftOnPurpose;
+    report.missedAreas = swept.missed;
+    report.leftAreas = swept.dropped;
+    report.left = swept.droppedArea;
+    report.overlap = swept.overlap;
+    report.overlapAreas = swept.overlapAreas;
+    report.overlapHeadland = swept.overlapHeadland;
+}
+
+void addKinematics(AuditReport& report, const Kinematics& kinematics, bool isMotionStated) {
+    if (isMotionStated) {
+        report.maxCurvature = Curvature::fromSi(kinematics.maxCurvature1pm);
+        report.maxCurvatureMismatch = Curvature::fromSi(kinematics.maxMismatch1pm);
+        report.maxCurvatureRate = CurvatureRate::fromSi(kinematics.maxRate1pm2);
+        report.maxHeadingJump = radians(kinematics.maxHeadingJumpRad);
+    }
+    report.maxPositionJump = metres(kinematics.maxPositionJumpM);
+    report.reversed = metres(kinematics.reversedM);
+}
+
+void addTraffic(AuditReport& report, const Traffic& traffic) {
+    report.drivenOnWorked = metres(traffic.onWorkedM);
+    report.drivenOnUnworked = metres(traffic.onUnworkedM);
+    report.mostWheelPasses = traffic.mostWheelPasses;
+    report.oftenDriven = traffic.oftenSquares;
+    report.oftenDrivenShare = traffic.oftenDriven;
+    report.wheelSquare = metres(traffic.squareM);
+}
+
+}  // namespace
+
 Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     const MachineShape shape = shapeOf(input);
     const auto motions = followPath(input, shape, job.part(0.0, 0.1));
@@ -32,29 +70,12 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     }
 
     AuditReport report{.workable = area(input.workable)};
-    report.covered = swept->covered;
-    report.coveredShare = report.workable > squareMetres(0.0) ? swept->covered / report.workable : 0.0;
-    report.coveredOfReachable = swept->coveredOfReachable;
-    report.missed = swept->missedArea;
-    report.leftOnPurpose = swept->leftOnPurpose;
-    report.missedAreas = swept->missed;
-    report.leftAreas = swept->dropped;
-    report.left = swept->droppedArea;
-    report.overlap = swept->overlap;
-    report.overlapAreas = swept->overlapAreas;
-    report.overlapHeadland = swept->overlapHeadland;
+    addAreas(report, *swept);
     if (clearance) {
         report.outside = clearance->outside;
         report.minClearance = clearance->smallest;
     }
-    if (input.statedMotion) {
-        report.maxCurvature = Curvature::fromSi(kinematics.maxCurvature1pm);
-        report.maxCurvatureMismatch = Curvature::fromSi(kinematics.maxMismatch1pm);
-        report.maxCurvatureRate = CurvatureRate::fromSi(kinematics.maxRate1pm2);
-        report.maxHeadingJump = radians(kinematics.maxHeadingJumpRad);
-    }
-    report.maxPositionJump = metres(kinematics.maxPositionJumpM);
-    report.reversed = metres(kinematics.reversedM);
+    addKinematics(report, kinematics, input.statedMotion);
     if (shape.trailingM) {
         double angle = 0.0;
         for (const SegmentMotion& motion : *motions) {
@@ -62,12 +83,7 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
         }
         report.maxHitchAngle = radians(angle);
     }
-    report.drivenOnWorked = metres(traffic->onWorkedM);
-    report.drivenOnUnworked = metres(traffic->onUnworkedM);
-    report.mostWheelPasses = traffic->mostWheelPasses;
-    report.oftenDriven = traffic->oftenSquares;
-    report.oftenDrivenShare = traffic->oftenDriven;
-    report.wheelSquare = metres(traffic->squareM);
+    addTraffic(report, *traffic);
     report.areaError = swept->error;
     report.distanceError = metres(kChordErrorM) + input.positionRounding;
     report.findings = findingsOf(input, {.motions = *motions,

@@ -188,6 +188,19 @@ void RegionTracer::unite(std::uint32_t a, std::uint32_t b) {
     parents_[std::max(a, b)] = std::min(a, b);
 }
 
+/// Takes the loop at the end of a way off it.
+std::pair<std::uint32_t, Ring> RegionTracer::takeLoop(std::vector<std::uint32_t>& way, std::size_t begin,
+                                                      std::vector<std::uint32_t>& placeOnWay) {
+    Ring ring;
+    for (std::size_t i = begin; i < way.size(); ++i) {
+        ring.push_back(nodes_[edges_[way[i]].from]);
+        placeOnWay[edges_[way[i]].from] = kNone;
+    }
+    const std::uint32_t piece = pieceOf(edges_[way.back()].piece);
+    way.resize(begin);
+    return {piece, std::move(ring)};
+}
+
 /// Walks along the edges, to the left at forks. A loop is closed as soon as a node repeats, so no ring
 /// touches itself.
 std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
@@ -236,14 +249,7 @@ std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
         while (!way.empty()) {
             const std::uint32_t node = edges_[way.back()].to;
             if (placeOnWay[node] != kNone) {
-                Ring ring;
-                const std::size_t begin = placeOnWay[node];
-                for (std::size_t i = begin; i < way.size(); ++i) {
-                    ring.push_back(nodes_[edges_[way[i]].from]);
-                    placeOnWay[edges_[way[i]].from] = kNone;
-                }
-                rings.emplace_back(pieceOf(edges_[way.back()].piece), std::move(ring));
-                way.resize(begin);
+                rings.push_back(takeLoop(way, placeOnWay[node], placeOnWay));
                 if (way.empty()) {
                     break;
                 }

@@ -63,6 +63,8 @@ private:
     void unite(std::uint32_t a, std::uint32_t b);
     void addEdge(std::uint32_t from, std::uint32_t to, std::uint32_t piece);
     std::vector<std::pair<std::uint32_t, Ring>> closeRings();
+    std::pair<std::uint32_t, Ring> takeLoop(std::vector<std::uint32_t>& way, std::size_t begin,
+                                            std::vector<std::uint32_t>& placeOnWay);
 
     double height_ = 0.0;
     std::vector<Open> below_;

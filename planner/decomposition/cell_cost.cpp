@@ -183,22 +183,21 @@ CellCost::Corner CellCost::left(const std::vector<Cell>& cells, const Visit& vis
     return entered(cells, {.cell = visit.cell, .fromLast = !visit.fromLast, .side = visit.side});
 }
 
-std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells) const {
-    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+CellCost::MatchedEnds CellCost::matchedEnds(const std::vector<Cell>& cells) const {
     // Ends of cells: 2 × cell + 1 at its last swath.
     std::vector<std::size_t> endOfPiece(2 * pieces_.size(), kNone);
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         endOfPiece[2 * cells[cell].firstPiece] = 2 * cell;
         endOfPiece[2 * cells[cell].lastPiece + 1] = 2 * cell + 1;
     }
-    std::vector<std::size_t> partner(2 * cells.size(), kNone);
+    MatchedEnds matched{.partner = std::vector<std::size_t>(2 * cells.size(), kNone),
+                        .sides = std::vector<std::size_t>(cells.size(), kNone)};
+    auto& [partner, sides] = matched;
     // The other end of the chain of an end.
     std::vector<std::size_t> farEnd(2 * cells.size());
     for (std::size_t end = 0; end < farEnd.size(); ++end) {
         farEnd[end] = end ^ 1U;
     }
-    // The side of its first swath at which a cell begins or ends, once it is matched.
-    std::vector<std::size_t> sides(cells.size(), kNone);
     const auto sideFor = [&](std::size_t end, std::size_t side) {
         return end % 2 == 1 ? cells[end / 2].across(side) : side;
     };
@@ -220,6 +219,11 @@ std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells
             farEnd[last] = first;
         }
     }
+    return matched;
+}
+
+std::vector<CellCost::Visit> CellCost::sequenceOf(const std::vector<Cell>& cells) const {
+    auto [partner, sides] = matchedEnds(cells);
     // The matched cells form chains. Each chain is followed by the nearest one.
     std::vector<Visit> sequence;
     std::vector<bool> isDone(cells.size(), false);

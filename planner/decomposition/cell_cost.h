@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace furrow {
@@ -68,6 +69,13 @@ private:
         bool fromLast;
         std::size_t side;  ///< of its first swath
     };
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    /// Ends of cells that are joined greedily, the quickest link first. An end is 2 × cell, or 2 × cell + 1
+    /// at its last swath.
+    struct MatchedEnds {
+        std::vector<std::size_t> partner;  ///< of an end, or kNone
+        std::vector<std::size_t> sides;    ///< of the first swath of a cell, once one of its ends is joined
+    };
 
     double linkSeconds(Port leaving, Port arriving) const;
     std::size_t swathAt(Corner corner) const;
@@ -76,6 +84,7 @@ private:
     void findRoughSeconds();
     std::vector<Cell> cellsOf(const Groups& groups) const;
     std::vector<Visit> sequenceOf(const std::vector<Cell>& cells) const;
+    MatchedEnds matchedEnds(const std::vector<Cell>& cells) const;
     Corner entered(const std::vector<Cell>& cells, const Visit& visit) const;
     Corner left(const std::vector<Cell>& cells, const Visit& visit) const;
     double secondsOf(const std::vector<Cell>& cells, const std::vector<Visit>& sequence) const;

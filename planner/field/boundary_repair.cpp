@@ -59,6 +59,72 @@ bool hasCorners(const GeoRing& ring) {
 /// Land may lose slivers. Obstacles keep every part.
 enum class RepairOf { Land, Obstacle };
 
+/// The points of a ring without those that are given twice, and without spikes.
+class PointSieve {
+public:
+    struct Dropped {
+        int count = 0;
+        std::size_t first = 0;
+    };
+
+    PointSieve(const GeoRing& ring, const Ring& local) : local_{local} {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            if (i + 1 == ring.size() && ring.size() > 1 && ring[i] == ring.front()) {
+                break;  // the closing point, as most formats write it
+            }
+            kept_.push_back(i);
+            // Without a point, the one before it may become a duplicate or a spike in turn.
+            while (dropsBeforeEnd()) {
+            }
+        }
+        while (dropsWhereItCloses()) {
+        }
+    }
+
+    const std::vector<std::size_t>& kept() const { return kept_; }
+    const Dropped& doubled() const { return doubled_; }
+    const Dropped& spikes() const { return spikes_; }
+
+private:
+    bool same(std::size_t a, std::size_t b) const { return distance(local_[a], local_[b]) < kSamePointM; }
+    bool isSpikeAt(std::size_t before, std::size_t tip, std::size_t after) const {
+        return isSpike(local_[before], local_[tip], local_[after]);
+    }
+    /// Always true.
+    bool drop(Dropped& dropped, std::size_t at) {
+        if (dropped.count++ == 0) {
+            dropped.first = kept_[at];
+        }
+        kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(at));
+        return true;
+    }
+    bool dropsBeforeEnd() {
+        const std::size_t n = kept_.size();
+        if (n >= 2 && same(kept_[n - 2], kept_[n - 1])) {
+            return drop(doubled_, n - 1);
+        }
+        return n >= 3 && isSpikeAt(kept_[n - 3], kept_[n - 2], kept_[n - 1]) && drop(spikes_, n - 2);
+    }
+    bool dropsWhereItCloses() {
+        const std::size_t n = kept_.size();
+        if (n < 3) {
+            return false;
+        }
+        if (same(kept_[n - 1], kept_[0])) {
+            return drop(doubled_, n - 1);
+        }
+        if (isSpikeAt(kept_[n - 2], kept_[n - 1], kept_[0])) {
+            return drop(spikes_, n - 1);
+        }
+        return isSpikeAt(kept_[n - 1], kept_[0], kept_[1]) && drop(spikes_, 0);
+    }
+
+    const Ring& local_;
+    std::vector<std::size_t> kept_;
+    Dropped doubled_;
+    Dropped spikes_;
+};
+
 class Repair {
 public:
     Repair(const LocalFrame& frame, Message what, RepairOf kind, const JobContext& job)
@@ -191,68 +257,21 @@ private:
 
     TwinRing cleanedRing(const GeoRing& ring, bool outer) {
         const Ring local = frame_.toLocal(ring);
-        std::vector<std::size_t> kept;
-        int doubled = 0;
-        int spikes = 0;
-        std::size_t firstDoubled = 0;
-        std::size_t firstSpike = 0;
-        const auto drop = [](int& counter, std::size_t& first, std::size_t index) {
-            if (counter++ == 0) {
-                first = index;
-            }
-        };
-        const auto same = [&](std::size_t a, std::size_t b) {
-            return distance(local[a], local[b]) < kSamePointM;
-        };
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            if (i + 1 == ring.size() && ring.size() > 1 && ring[i] == ring.front()) {
-                break;  // the closing point, as most formats write it
-            }
-            kept.push_back(i);
-            // Without a point, the one before it may become a duplicate or a spike in turn.
-            while (kept.size() >= 2) {
-                const std::size_t n = kept.size();
-                if (same(kept[n - 2], kept[n - 1])) {
-                    drop(doubled, firstDoubled, kept[n - 1]);
-                    kept.pop_back();
-                } else if (n >= 3 && isSpike(local[kept[n - 3]], local[kept[n - 2]], local[kept[n - 1]])) {
-                    drop(spikes, firstSpike, kept[n - 2]);
-                    kept.erase(kept.end() - 2);
-                } else {
-                    break;
-                }
-            }
-        }
-        // The same at the place where the ring closes.
-        for (bool changed = true; changed && kept.size() >= 3;) {
-            const std::size_t n = kept.size();
-            changed = true;
-            if (same(kept[n - 1], kept[0])) {
-                drop(doubled, firstDoubled, kept[n - 1]);
-                kept.pop_back();
-            } else if (isSpike(local[kept[n - 2]], local[kept[n - 1]], local[kept[0]])) {
-                drop(spikes, firstSpike, kept[n - 1]);
-                kept.pop_back();
-            } else if (isSpike(local[kept[n - 1]], local[kept[0]], local[kept[1]])) {
-                drop(spikes, firstSpike, kept[0]);
-                kept.erase(kept.begin());
-            } else {
-                changed = false;
-            }
-        }
+        const PointSieve sieve{ring, local};
         TwinRing cleaned;
-        for (const std::size_t index : kept) {
+        for (const std::size_t index : sieve.kept()) {
             cleaned.geo.push_back(ring[index]);
             cleaned.local.push_back(local[index]);
         }
-        if (doubled > 0) {
+        if (sieve.doubled().count > 0) {
             note(counted("{} point was given twice and taken once",
-                         "{} points were given twice and taken once", doubled),
-                 ring[firstDoubled]);
+                         "{} points were given twice and taken once", sieve.doubled().count),
+                 ring[sieve.doubled().first]);
         }
-        if (spikes > 0) {
-            note(counted("{} spike without area was removed", "{} spikes without area were removed", spikes),
-                 ring[firstSpike]);
+        if (sieve.spikes().count > 0) {
+            note(counted("{} spike without area was removed", "{} spikes without area were removed",
+                         sieve.spikes().count),
+                 ring[sieve.spikes().first]);
         }
         if ((signedAreaM2(cleaned.local) > 0.0) != outer) {
             std::ranges::reverse(cleaned.geo);

@@ -229,24 +229,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
             return withOrigin(outline.error());
         }
         std::ranges::move(outline->repairs, std::back_inserter(field.repairs_));
-        const auto kept = dilated(outline->local, obstacle.buffer, kBufferTolerance, job);
-        const auto inside = kept ? intersection(field.boundary_, *kept, job) : kept;
-        if (!inside) {
-            return std::unexpected(inside.error());
-        }
-        if (inside->empty()) {
-            return std::unexpected(refused(source, name, "it lies outside the field", "move or delete it",
-                                           obstacle.outline.outer.front()));
-        }
-        for (MultiPolygon* land : {&field.workable_, &field.drivable_}) {
-            if (land == &field.drivable_ && obstacle.passable) {
-                continue;
-            }
-            auto rest = difference(*land, *kept, job);
-            if (!rest) {
-                return std::unexpected(rest.error());
-            }
-            *land = std::move(*rest);
+        if (auto cut = field.leaveOut(outline->local, obstacle, name, job); !cut) {
+            return std::unexpected(cut.error());
         }
     }
     if (std::ranges::any_of(source.obstacles, &Obstacle::passable)) {
@@ -269,6 +253,30 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
         field.area_ = field.area_ * (furrow::area(field.workable_) / furrow::area(field.boundary_));
     }
     return field;
+}
+
+Result<void> Field::leaveOut(const MultiPolygon& outline, const Obstacle& obstacle, const Message& name,
+                             const JobContext& job) {
+    const auto kept = dilated(outline, obstacle.buffer, kBufferTolerance, job);
+    const auto inside = kept ? intersection(boundary_, *kept, job) : kept;
+    if (!inside) {
+        return std::unexpected(inside.error());
+    }
+    if (inside->empty()) {
+        return std::unexpected(refused(source_, name, "it lies outside the field", "move or delete it",
+                                       obstacle.outline.outer.front()));
+    }
+    for (MultiPolygon* land : {&workable_, &drivable_}) {
+        if (land == &drivable_ && obstacle.passable) {
+            continue;
+        }
+        auto rest = difference(*land, *kept, job);
+        if (!rest) {
+            return std::unexpected(rest.error());
+        }
+        *land = std::move(*rest);
+    }
+    return {};
 }
 
 std::size_t Field::vertexCount() const {

@@ -97,6 +97,8 @@ public:
 
 private:
     Field(FieldSource source, LocalFrame frame) : source_{std::move(source)}, frame_{frame} {}
+    Result<void> leaveOut(const MultiPolygon& outline, const Obstacle& obstacle, const Message& name,
+                          const JobContext& job);
 
     FieldSource source_;
     LocalFrame frame_;

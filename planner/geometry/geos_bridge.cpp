@@ -1,172 +1,19 @@
 #include "planner/geometry/geos_bridge.h"
 
+#include "planner/geometry/geos_shapes.h"
+
 #include <geos_c.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <mutex>
 #include <utility>
 
 namespace furrow {
 
+using namespace geos;
+
 namespace {
-
-// GEOS calls this from time to time within its long loops.
-thread_local const JobContext* runningJob = nullptr;
-
-void interruptWhenStopped() {
-    if (runningJob != nullptr && runningJob->stopRequested()) {
-        GEOS_interruptRequest();
-    }
-}
-
-struct Context {
-    GEOSContextHandle_t handle = GEOS_init_r();
-    std::string message;
-
-    Context() {
-        static std::once_flag registered;
-        std::call_once(registered, [] { GEOS_interruptRegisterCallback(interruptWhenStopped); });
-        GEOSContext_setErrorMessageHandler_r(
-            handle, [](const char* text, void* self) { static_cast<Context*>(self)->message = text; }, this);
-    }
-    ~Context() { GEOS_finish_r(handle); }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-};
-
-Context& context() {
-    thread_local Context instance;
-    return instance;
-}
-
-GEOSContextHandle_t handle() {
-    return context().handle;
-}
-
-struct GeometryDeleter {
-    void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(handle(), geometry); }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, GeometryDeleter>;
-
-GEOSCoordSequence* sequence(std::span<const Point> points, bool close) {
-    const auto count = static_cast<unsigned>(points.size() + (close ? 1 : 0));
-    GEOSCoordSequence* coordinates = GEOSCoordSeq_create_r(handle(), count, 2);
-    for (unsigned i = 0; i < count; ++i) {
-        const Point point = points[i % points.size()];
-        GEOSCoordSeq_setXY_r(handle(), coordinates, i, point.x, point.y);
-    }
-    return coordinates;
-}
-
-Geometry toGeos(const Polygon& polygon) {
-    std::vector<GEOSGeometry*> holes;
-    for (const Ring& hole : polygon.holes) {
-        holes.push_back(GEOSGeom_createLinearRing_r(handle(), sequence(hole, true)));
-    }
-    GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle(), sequence(polygon.outer, true));
-    return Geometry{
-        GEOSGeom_createPolygon_r(handle(), shell, holes.data(), static_cast<unsigned>(holes.size()))};
-}
-
-Geometry toGeos(const MultiPolygon& polygons) {
-    std::vector<GEOSGeometry*> parts;
-    for (const Polygon& polygon : polygons) {
-        parts.push_back(toGeos(polygon).release());
-    }
-    return Geometry{GEOSGeom_createCollection_r(handle(), GEOS_MULTIPOLYGON, parts.data(),
-                                                static_cast<unsigned>(parts.size()))};
-}
-
-Geometry toGeos(const std::vector<Polyline>& lines) {
-    std::vector<GEOSGeometry*> parts;
-    for (const Polyline& line : lines) {
-        parts.push_back(GEOSGeom_createLineString_r(handle(), sequence(line, false)));
-    }
-    return Geometry{GEOSGeom_createCollection_r(handle(), GEOS_MULTILINESTRING, parts.data(),
-                                                static_cast<unsigned>(parts.size()))};
-}
-
-Ring ringFrom(const GEOSGeometry* ring, bool counterClockwise) {
-    const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(handle(), ring);
-    unsigned count = 0;
-    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
-    Ring points;
-    points.reserve(count);
-    for (unsigned i = 0; i + 1 < count; ++i) {
-        Point point;
-        GEOSCoordSeq_getXY_r(handle(), coordinates, i, &point.x, &point.y);
-        points.push_back(point);
-    }
-    if ((signedAreaM2(points) > 0.0) != counterClockwise) {
-        std::ranges::reverse(points);
-    }
-    return points;
-}
-
-void collect(const GEOSGeometry* geometry, MultiPolygon& polygons) {
-    if (GEOSisEmpty_r(handle(), geometry) == 1) {
-        return;
-    }
-    if (GEOSGeomTypeId_r(handle(), geometry) == GEOS_POLYGON) {
-        Polygon polygon{.outer = ringFrom(GEOSGetExteriorRing_r(handle(), geometry), true), .holes = {}};
-        const int holes = GEOSGetNumInteriorRings_r(handle(), geometry);
-        for (int i = 0; i < holes; ++i) {
-            polygon.holes.push_back(ringFrom(GEOSGetInteriorRingN_r(handle(), geometry, i), false));
-        }
-        polygons.push_back(std::move(polygon));
-        return;
-    }
-    const int type = GEOSGeomTypeId_r(handle(), geometry);
-    if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
-        const int count = GEOSGetNumGeometries_r(handle(), geometry);
-        for (int i = 0; i < count; ++i) {
-            collect(GEOSGetGeometryN_r(handle(), geometry, i), polygons);
-        }
-    }
-}
-
-MultiPolygon fromGeos(const GEOSGeometry* geometry) {
-    MultiPolygon polygons;
-    collect(geometry, polygons);
-    std::ranges::stable_sort(polygons, std::ranges::greater{},
-                             [](const Polygon& polygon) { return area(polygon); });
-    return polygons;
-}
-
-Error failed() {
-    return {.code = ErrorCode::InputRefused,
-            .what = message("the shape could not be computed with ({})", context().message),
-            .remedy = "check the boundary for crossings"};
-}
-
-/// Runs one GEOS operation under the job's stop token.
-template <class Operation>
-Result<Geometry> run(const JobContext& job, const Operation& operation) {
-    if (job.stopRequested()) {
-        return std::unexpected(cancelled());
-    }
-    // GEOS has one interrupt flag for the whole process. The request of another planner may arrive here,
-    // which is no reason to give up.
-    for (int attempt = 0; attempt < 8; ++attempt) {
-        context().message.clear();
-        runningJob = &job;
-        Geometry result{operation()};
-        runningJob = nullptr;
-        if (result) {
-            return result;
-        }
-        if (job.stopRequested()) {
-            return std::unexpected(cancelled());
-        }
-        if (context().message.find("nterrupt") == std::string::npos) {
-            break;
-        }
-    }
-    return std::unexpected(failed());
-}
 
 // A boundary with more vertices is thinned before it is moved inwards.
 constexpr std::size_t kDenseVertices = 20'000;
@@ -231,33 +78,6 @@ Result<MultiPolygon> combined(const MultiPolygon& a, const MultiPolygon& b, cons
             });
         })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
-}
-
-Error notALine(const std::string& wkt) {
-    return {.code = ErrorCode::InputRefused,
-            .what = message("'{}' is not a line", wkt),
-            .where = {},
-            .remedy = "write it like LINESTRING (4.1 52.0, 4.2 52.0)"};
-}
-
-/// Empty if the text is no WKT, or an empty geometry.
-Geometry fromWkt(const std::string& wkt) {
-    GEOSWKTReader* const reader = GEOSWKTReader_create_r(handle());
-    Geometry geometry{GEOSWKTReader_read_r(handle(), reader, wkt.c_str())};
-    GEOSWKTReader_destroy_r(handle(), reader);
-    return geometry && GEOSisEmpty_r(handle(), geometry.get()) == 1 ? Geometry{} : std::move(geometry);
-}
-
-/// The points of a line or a point.
-std::vector<Point> coordinatesOf(const GEOSGeometry* geometry) {
-    const GEOSCoordSequence* const coordinates = GEOSGeom_getCoordSeq_r(handle(), geometry);
-    unsigned count = 0;
-    GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
-    std::vector<Point> points(count);
-    for (unsigned i = 0; i < count; ++i) {
-        GEOSCoordSeq_getXY_r(handle(), coordinates, i, &points[i].x, &points[i].y);
-    }
-    return points;
 }
 
 }  // namespace
@@ -423,130 +243,10 @@ Result<std::optional<InvalidPlace>> findInvalidPlace(const MultiPolygon& polygon
     return problem;
 }
 
-Result<std::vector<Point>> pointsOfWkt(const std::string& wkt) {
-    const Geometry geometry = fromWkt(wkt);
-    const int type = geometry ? GEOSGeomTypeId_r(handle(), geometry.get()) : -1;
-    if (type != GEOS_LINESTRING && type != GEOS_POINT) {
-        return std::unexpected(notALine(wkt));
-    }
-    return coordinatesOf(geometry.get());
-}
-
-Result<std::vector<Polyline>> linesOfWkt(const std::string& wkt) {
-    const Geometry geometry = fromWkt(wkt);
-    const int count = geometry ? GEOSGetNumGeometries_r(handle(), geometry.get()) : 0;
-    std::vector<Polyline> lines;
-    for (int i = 0; i < count; ++i) {
-        const GEOSGeometry* const part = GEOSGetGeometryN_r(handle(), geometry.get(), i);
-        const int type = GEOSGeomTypeId_r(handle(), part);
-        if (type == GEOS_LINESTRING) {
-            lines.push_back(coordinatesOf(part));
-            continue;
-        }
-        if (type != GEOS_MULTILINESTRING) {
-            return std::unexpected(notALine(wkt));
-        }
-        for (int k = 0; k < GEOSGetNumGeometries_r(handle(), part); ++k) {
-            lines.push_back(coordinatesOf(GEOSGetGeometryN_r(handle(), part, k)));
-        }
-    }
-    if (lines.empty()) {
-        return std::unexpected(notALine(wkt));
-    }
-    return lines;
-}
-
 Result<MultiPolygon> madeValid(const MultiPolygon& polygons, const JobContext& job) {
     return validOf(toGeos(polygons), job).transform([](const Geometry& result) {
         return fromGeos(result.get());
     });
-}
-
-struct PreparedArea::Impl {
-    MultiPolygon polygons;
-
-    /// Prepared geometries build their indexes on first use, which must not happen in two threads at once. So
-    /// every thread prepares its own and keeps it as long as it uses the same area.
-    struct PerThread {
-        PerThread(const MultiPolygon& polygons, std::weak_ptr<const char> area)
-            : owner{std::move(area)},
-              geometry{toGeos(polygons)},
-              prepared{GEOSPrepare_r(handle(), geometry.get())} {}
-        ~PerThread() { GEOSPreparedGeom_destroy_r(handle(), prepared); }
-        PerThread(const PerThread&) = delete;
-        PerThread& operator=(const PerThread&) = delete;
-
-        std::weak_ptr<const char> owner;
-        Geometry geometry;
-        const GEOSPreparedGeometry* prepared;
-    };
-    const PerThread& prepared() const {
-        // Two areas at a time: the area inside, and all land.
-        thread_local std::array<std::unique_ptr<PerThread>, 2> cache;
-        for (const auto& entry : cache) {
-            if (entry && entry->owner.lock() == alive) {
-                return *entry;
-            }
-        }
-        std::ranges::rotate(cache, cache.end() - 1);
-        cache.front() = std::make_unique<PerThread>(polygons, alive);
-        return *cache.front();
-    }
-
-    std::shared_ptr<const char> alive = std::make_shared<const char>();
-};
-
-PreparedArea::PreparedArea(const MultiPolygon& polygons) : impl_{std::make_unique<Impl>()} {
-    impl_->polygons = polygons;
-}
-
-PreparedArea::~PreparedArea() = default;
-PreparedArea::PreparedArea(PreparedArea&&) noexcept = default;
-PreparedArea& PreparedArea::operator=(PreparedArea&&) noexcept = default;
-
-bool PreparedArea::covers(const std::vector<Polyline>& lines) const {
-    const Geometry tested = toGeos(lines);
-    return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, tested.get()) == 1;
-}
-
-bool PreparedArea::coversHullOf(const std::vector<Polyline>& lines) const {
-    const Geometry drawn = toGeos(lines);
-    const Geometry hull{GEOSConvexHull_r(handle(), drawn.get())};
-    return GEOSPreparedCovers_r(handle(), impl_->prepared().prepared, hull.get()) == 1;
-}
-
-std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {
-    const Geometry tested = toGeos(lines);
-    const auto& area = impl_->prepared();
-    std::optional<FarthestPoint> farthest;
-    const auto consider = [&](Point point) {
-        const Geometry place{GEOSGeom_createPointFromXY_r(handle(), point.x, point.y)};
-        double away = 0.0;
-        if (GEOSPreparedDistance_r(handle(), area.prepared, place.get(), &away) == 1 && away > 0.0 &&
-            (!farthest || away > farthest->distance.si())) {
-            farthest = {point, metres(away)};
-        }
-    };
-    const Geometry outside{GEOSDifference_r(handle(), tested.get(), area.geometry.get())};
-    const int parts = outside ? GEOSGetNumGeometries_r(handle(), outside.get()) : 0;
-    for (int i = 0; i < parts; ++i) {
-        const GEOSGeometry* part = GEOSGetGeometryN_r(handle(), outside.get(), i);
-        const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(handle(), part);
-        unsigned count = 0;
-        GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
-        Point before;
-        for (unsigned k = 0; k < count; ++k) {
-            Point point;
-            GEOSCoordSeq_getXY_r(handle(), coordinates, k, &point.x, &point.y);
-            consider(point);
-            if (k > 0) {
-                // A straight line through a hole is farthest outside somewhere between its two crossings.
-                consider(0.5 * (before + point));
-            }
-            before = point;
-        }
-    }
-    return farthest;
 }
 
 }  // namespace furrow

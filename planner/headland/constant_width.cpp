@@ -63,7 +63,8 @@ const Parameter kHeadlandWidth{
     .min = 0.0,
     .max = 500.0,
     .step = 0.5,
-    .choices = {}};
+    .choices = {},
+    .excludes = "headland.passes"};
 
 const Parameter kHeadlandPasses{.key = "headland.passes",
                                 .name = "Passes",
@@ -74,7 +75,8 @@ const Parameter kHeadlandPasses{.key = "headland.passes",
                                 .min = 0.0,
                                 .max = 50.0,
                                 .step = 1.0,
-                                .choices = {}};
+                                .choices = {},
+                                .excludes = "headland.width_m"};
 
 const Method<HeadlandGenerator> kConstantWidthMethod{
     .info = {.id = "constant",

@@ -5,7 +5,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
 #include "planner/geometry/simplify.h"
-#include "planner/headland/corner_manoeuvres.h"
+#include "planner/headland/closed_rings.h"
 #include "planner/headland/edge_strips.h"
 #include "planner/headland/inner_passes.h"
 #include "planner/headland/mirrored.h"
@@ -32,11 +32,6 @@ constexpr Length kSameInset = metres(0.01);
 // Merged corners bring a pass nearer to the edge by less than this share of its width.
 constexpr double kMergedShare = 0.1;
 
-// Largest share of the field that a rounded outermost pass may leave at its corners. If it would leave more,
-// a machine that can reverse drives into the corners.
-constexpr double kMostUncutShare = 0.004;
-// Largest area left at a corner between two passes.
-constexpr Area kMostUncutInside = squareMetres(50.0);
 // A pass of 16 stretches or more is replaced by one with half as many or fewer: its edge is hard to follow.
 constexpr std::size_t kManyStretches = 16;
 constexpr std::size_t kTimesFewer = 2;
@@ -44,8 +39,6 @@ constexpr std::size_t kTimesFewer = 2;
 constexpr double kDrawnShare = 0.02;
 // Distance before its many slight corners at which bends begin, as a share of its width: less steering.
 constexpr double kGentleShare = 0.5;
-// A machine beside an edge can leave it only with this distance at the start.
-constexpr Length kBesideEdge = metres(0.02);
 
 CornerMethod cornerMethod(const Settings& settings) {
     const std::string id = settings.choice(kHeadlandCorner);
@@ -104,76 +97,6 @@ std::vector<RingInsets> ringsOf(const Headland& headland, const Machine& machine
         }
     }
     return rings;
-}
-
-/// One ring all around. Its corners are rounded or driven into.
-struct ClosedRing {
-    std::vector<HeadlandPass> passes;
-    std::vector<Curve> lines;            ///< of the passes before corners are driven into and before cuts
-    std::vector<RoundedCorner> rounded;  ///< corners that stayed rounded
-    std::vector<Point> outside;          ///< places beside corners that are driven into
-    Length movedIn;
-    bool complete = true;  ///< every line could be rounded
-    bool inside = false;   ///< known to be inside everywhere
-};
-
-/// Rules for the corners of a ring.
-struct CornerRules {
-    CornerMethod method = CornerMethod::Rounded;
-    std::vector<Point> driven;  ///< with CornerMethod::Searched: only these corners
-    Length beside;              ///< distance kept from the edge
-    bool followsEdges = true;   ///< otherwise its corners are the arcs of their rounding
-    bool movesIn = true;        ///< where tail or nose would swing out
-};
-
-/// From the middle of a corner to its ends.
-double cornerReachM(const Machine& machine) {
-    return machine.minTurningRadius().si() + 0.5 * machine.workingFootprintWidth().si();
-}
-
-bool isAt(const RoundedCorner& corner, Point place, const Machine& machine) {
-    return distance(corner.place, place) < cornerReachM(machine);
-}
-
-Result<ClosedRing> closedRing(const PassTask& task, Length inset, int ring, const CornerRules& corners,
-                              CornerWays& ways, const JobContext& job) {
-    const Machine& machine = task.machine;
-    const auto tracks = passTracks(task.workable, inset + corners.beside, task.drivable, machine,
-                                   {.beside = corners.beside,
-                                    .driven = corners.driven,
-                                    .followsEdges = corners.followsEdges,
-                                    .movesIn = corners.movesIn},
-                                   job);
-    if (!tracks) {
-        return std::unexpected(tracks.error());
-    }
-    const auto wanted = [&](const RoundedCorner& corner) {
-        return corners.method != CornerMethod::Searched ||
-               std::ranges::any_of(corners.driven, [&](Point place) { return isAt(corner, place, machine); });
-    };
-    ClosedRing result{.passes = {},
-                      .rounded = {},
-                      .movedIn = tracks->movedIn,
-                      .complete = tracks->givenUp == 0,
-                      .inside = tracks->inside};
-    result.lines = tracks->lines;
-    for (const Curve& line : result.lines) {
-        result.passes.push_back({.ring = ring,
-                                 .width = machine.operatingWidth(),
-                                 .closed = true,
-                                 .stretches = withCorners(line, corners.method, task.drivable, machine,
-                                                          wanted, ways, result.rounded, job)});
-        for (const PassStretch& stretch : result.passes.back().stretches) {
-            if (corners.method == CornerMethod::Searched && stretch.working) {
-                std::ranges::move(placesOutside(stretch.line, task.drivable, machine, job),
-                                  std::back_inserter(result.outside));
-            }
-        }
-    }
-    if (job.stopRequested()) {
-        return std::unexpected(cancelled());
-    }
-    return result;
 }
 
 std::size_t stretchCount(const std::vector<HeadlandPass>& passes) {
@@ -247,121 +170,6 @@ std::vector<HeadlandPass> cutWhereOutside(std::vector<HeadlandPass> passes, cons
     return passes;
 }
 
-/// Corners of the field, without those of obstacles and those that point into the field.
-std::vector<RoundedCorner> outwardCorners(const ClosedRing& ring) {
-    std::vector<RoundedCorner> outward;
-    std::ranges::copy_if(ring.rounded, std::back_inserter(outward),
-                         [](const RoundedCorner& corner) { return corner.turn > radians(0.0); });
-    return outward;
-}
-
-/// The area uncut at rounded corners: the rounding itself, and a strip along both sides. The swing of tail or
-/// nose keeps the machine away from that strip, which narrows to nothing within the overhang.
-Area leftAt(const std::vector<RoundedCorner>& corners, const Machine& machine) {
-    double overhangM = 0.0;
-    for (const Point& corner : machine.workingFootprint()) {
-        overhangM = std::max(overhangM, std::abs(corner.x));
-    }
-    const double besideM = cornerReachM(machine);
-    const double swingM = std::hypot(besideM, overhangM) - besideM;
-    Area sum;
-    for (const RoundedCorner& corner : corners) {
-        sum +=
-            uncutCorner(corner, machine.operatingWidth()) +
-            squareMetres(2.0 * swingM * (overhangM + besideM * std::tan(0.25 * std::abs(corner.turn.si()))));
-    }
-    return sum;
-}
-
-/// A ring that is driven into the corners from which the machine can leave. Empty if there are none.
-Result<std::optional<ClosedRing>> withCornersDriven(const PassTask& task, Length inset, int ring,
-                                                    const std::vector<RoundedCorner>& wanted, Length beside,
-                                                    CornerWays& ways, const JobContext& job) {
-    CornerRules corners{
-        .method = CornerMethod::Searched, .driven = {}, .beside = beside, .followsEdges = ring == 0};
-    std::ranges::transform(wanted, std::back_inserter(corners.driven), &RoundedCorner::place);
-    while (!corners.driven.empty()) {
-        auto sharp = closedRing(task, inset, ring, corners, ways, job);
-        if (!sharp) {
-            return std::unexpected(sharp.error());
-        }
-        const auto failed = std::erase_if(corners.driven, [&](Point place) {
-            return std::ranges::any_of(sharp->rounded, [&](const RoundedCorner& corner) {
-                return isAt(corner, place, task.machine);
-            });
-        });
-        if (failed > 0) {
-            continue;
-        }
-        if (sharp->outside.empty()) {
-            return std::move(*sharp);
-        }
-        for (const Point place : sharp->outside) {
-            if (!corners.driven.empty()) {
-                corners.driven.erase(std::ranges::min_element(
-                    corners.driven, {}, [place](Point corner) { return distance(corner, place); }));
-            }
-        }
-    }
-    return std::nullopt;
-}
-
-/// The outermost pass, rounded. If that leaves too much, a machine that can reverse drives into the corners
-/// that it can leave.
-Result<ClosedRing> outermostRing(const PassTask& task, Length inset, CornerWays& ways,
-                                 const JobContext& job) {
-    std::vector<RoundedCorner> arcCorners;
-    // The corners and their uncut area are measured before the line follows the edges.
-    if (!Trailer::of(task.machine)) {
-        auto arcs = closedRing(task, inset, 0, {.followsEdges = false, .movesIn = false}, ways, job);
-        if (!arcs) {
-            return arcs;
-        }
-        const std::vector<RoundedCorner> outward = outwardCorners(*arcs);
-        if (canReverse(task.machine) && arcs->complete &&
-            leftAt(outward, task.machine) > kMostUncutShare * area(task.workable)) {
-            auto driven = withCornersDriven(task, inset, 0, outward, kBesideEdge, ways, job);
-            if (!driven) {
-                return std::unexpected(driven.error());
-            }
-            if (*driven && (*driven)->complete) {
-                return std::move(**driven);
-            }
-        }
-        arcCorners = std::move(arcs->rounded);
-    }
-    auto rounded = closedRing(task, inset, 0, {}, ways, job);
-    if (rounded && !rounded->complete) {
-        rounded = closedRing(task, inset, 0, {.followsEdges = false}, ways, job);
-    }
-    if (rounded && rounded->complete && !Trailer::of(task.machine)) {
-        rounded->rounded = std::move(arcCorners);
-    }
-    return rounded;
-}
-
-/// An inner pass of a machine that cannot reverse, rounded. At corners where that leaves too much between two
-/// passes, the machine drives on and comes back in a loop, since there is room.
-Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, CornerWays& ways,
-                             const JobContext& job) {
-    auto rounded = closedRing(task, inset, ring, {.followsEdges = false}, ways, job);
-    if (!rounded || !rounded->complete) {
-        return rounded;
-    }
-    std::vector<RoundedCorner> wide = outwardCorners(*rounded);
-    std::erase_if(wide, [&](const RoundedCorner& corner) {
-        return uncutCorner(corner, task.machine.operatingWidth()) < kMostUncutInside;
-    });
-    if (wide.empty()) {
-        return rounded;
-    }
-    auto driven = withCornersDriven(task, inset, ring, wide, {}, ways, job);
-    if (!driven) {
-        return std::unexpected(driven.error());
-    }
-    return *driven ? std::move(**driven) : std::move(rounded);
-}
-
 /// The passes of a ring that does not go all round, or has different distances from the edge.
 Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const EdgeStrips& strips,
                                               const RingInsets& insets, int ring, const PassTask& task,
@@ -391,6 +199,14 @@ Result<std::vector<HeadlandPass>> partsOfRing(const Headland& headland, const Ed
         std::ranges::move(partsOf(*whole, belongs, isLeft, task), std::back_inserter(passes));
     }
     return passes;
+}
+
+/// The area that a rounded outermost pass leaves, for the user.
+void addUncut(const ClosedRing& outermost, const Machine& machine, Headland& headland) {
+    headland.uncutStrip += outermost.movedIn;
+    for (const RoundedCorner& corner : outermost.rounded) {
+        headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
+    }
 }
 
 /// Adds the passes of all rings, counter-clockwise.
@@ -428,23 +244,14 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
         }
         // A machine that cannot reverse would not get out of a corner again.
         if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
-            auto closed =
-                ring == 0 && method == CornerMethod::Rounded ? outermostRing(task, inset + beside, ways, job)
-                : method == CornerMethod::Rounded
-                    ? innerRing(task, inset + beside, ring, ways, job)
-                    : closedRing(task, inset + beside, ring,
-                                 {.method = method, .driven = {}, .beside = {}, .followsEdges = false}, ways,
-                                 job);
+            auto closed = closedRing(task, inset + beside, ring, method, ways, job);
             if (!closed) {
                 return std::unexpected(closed.error());
             }
             if (closed->complete) {
                 if (ring == 0) {
                     outermost = std::move(closed->lines);
-                    headland.uncutStrip += closed->movedIn;
-                    for (const RoundedCorner& corner : closed->rounded) {
-                        headland.uncutCorners += uncutCorner(corner, machine.operatingWidth());
-                    }
+                    addUncut(*closed, machine, headland);
                 }
                 keep(closed->inside ? std::move(closed->passes)
                                     : cutWhereOutside(std::move(closed->passes), task, job));

@@ -5,6 +5,8 @@
 #include "planner/geometry/simplify.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/edge_following.h"
+#include "planner/headland/moving_in.h"
+#include "planner/headland/rounded_region.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
 #include "planner/turns/rig.h"
@@ -31,8 +33,6 @@ const auto everywhere = [](Point) { return true; };
 // Added to the observed move, so that the line also stays inside between the sampled places.
 constexpr double kReserveM = 0.01;
 constexpr double kReserveFactor = 1.15;
-// Smaller moves are ignored, because the bend at their start swings nothing out.
-constexpr double kLeastMoveM = 2e-4;
 constexpr int kMostMoves = 10;
 // Step for the check when a line has to be cut.
 constexpr double kCutLookM = 0.25;
@@ -45,174 +45,8 @@ constexpr double kBendLooks = 4.0;
 constexpr double kLookCloselyM = 0.01;
 // Length of the pieces that are tested for such a place.
 constexpr double kShortPieceM = 3.0;
-// Largest distance between points of a ring that can be moved.
-constexpr double kDenseM = 1.0;
-// Points of a moved ring that change it less are left out.
-constexpr Length kSimplified = metres(5e-4);
 // Largest move of the line where corners are merged. A later check finds and corrects places outside.
 constexpr Length kMergeTolerance = metres(0.25);
-// Tolerance for drawing an arc around an inward corner.
-constexpr Length kRoundTolerance = metres(0.01);
-
-/// The area that discs of the radius inside the polygons can cover: outward corners are rounded, necks cut.
-Result<MultiPolygon> opened(const MultiPolygon& polygons, Length radius, const JobContext& job) {
-    return eroded(polygons, radius, kRoundTolerance, job).and_then([&](const MultiPolygon& core) {
-        return dilated(core, radius, kRoundTolerance, job);
-    });
-}
-
-Polygon disc(Point centre, double radiusM) {
-    const double cosine = 1.0 - kRoundTolerance.si() / radiusM;
-    const int corners = std::max(16, static_cast<int>(std::ceil(std::numbers::pi / std::acos(cosine))));
-    Polygon polygon;
-    for (int i = 0; i < corners; ++i) {
-        polygon.outer.push_back(centre + radiusM * direction(2.0 * std::numbers::pi * i / corners));
-    }
-    return polygon;
-}
-
-/// The turn of a ring at one of its points, positive to the left, and the direction inwards.
-struct Bend {
-    double turnRad = 0.0;
-    Point inward;
-};
-
-Bend bendAt(const Ring& ring, std::size_t i) {
-    const Point in = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
-    const Point out = ring[(i + 1) % ring.size()] - ring[i];
-    const double turn = std::atan2(cross(in, out), dot(in, out));
-    return {turn, direction(std::atan2(in.y, in.x) + 0.5 * turn + 0.5 * std::numbers::pi)};
-}
-
-/// Discs of the radius that touch the corners pointing into the region. The region without them can be driven
-/// around.
-MultiPolygon discsAtInwardCorners(const Polygon& region, double radiusM) {
-    MultiPolygon discs;
-    const auto visit = [&](const Ring& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Bend bend = bendAt(ring, i);
-            // The distance that the disc sticks out of the edges. A smaller one needs no disc.
-            if (bend.turnRad < 0.0 && radiusM * (1.0 - std::cos(0.5 * bend.turnRad)) > kRoundTolerance.si()) {
-                discs.push_back(disc(ring[i] - radiusM * bend.inward, radiusM));
-            }
-        }
-    };
-    visit(region.outer);
-    std::ranges::for_each(region.holes, visit);
-    return discs;
-}
-
-/// The region that a vehicle can drive along: inward corners cut back to the radius, outward ones rounded,
-/// necks cut.
-Result<MultiPolygon> rounded(const Polygon& region, Length radius, const JobContext& job) {
-    const MultiPolygon discs = discsAtInwardCorners(region, radius.si());
-    Result<MultiPolygon> left = MultiPolygon{region};
-    if (!discs.empty()) {
-        left = unionOf(discs, job).and_then([&](const MultiPolygon& taken) {
-            return difference({region}, taken, job);
-        });
-    }
-    return left.and_then([&](const MultiPolygon& polygons) { return opened(polygons, radius, job); });
-}
-
-/// A place where the footprint is outside, and the distance that the pass has to move in there.
-struct Excess {
-    Point place;
-    double moveM = 0.0;
-    double outsideM = 0.0;
-};
-
-/// The distance that the pass moves in at each place. It falls with the distance from the place of the
-/// excess.
-class Displacement {
-public:
-    explicit Displacement(double reachM) : reachM_{reachM} {}
-
-    /// Adds the excesses of one round to those of the rounds before.
-    void add(std::vector<Excess> excesses) {
-        std::ranges::sort(excesses, {}, [](const Excess& excess) { return excess.place.x; });
-        rounds_.push_back(std::move(excesses));
-    }
-    bool isEmpty() const { return rounds_.empty(); }
-    /// Whether the last round has moved this place.
-    bool changedLastAt(Point point) const { return rounds_.empty() || mostAt(point, rounds_.back()) > 0.0; }
-
-    double at(Point point) const {
-        double sum = 0.0;
-        for (const std::vector<Excess>& round : rounds_) {
-            sum += mostAt(point, round);
-        }
-        return sum < kLeastMoveM ? 0.0 : sum;
-    }
-
-private:
-    /// The largest demand counts. A sum within one round would grow with the number of places.
-    double mostAt(Point point, const std::vector<Excess>& round) const {
-        // Farther away, exp() is too small for a move.
-        const double seenM = 10.0 * reachM_;
-        const auto xOf = [](const Excess& excess) { return excess.place.x; };
-        double most = 0.0;
-        for (auto it = std::ranges::lower_bound(round, point.x - seenM, {}, xOf);
-             it != round.end() && it->place.x <= point.x + seenM; ++it) {
-            if (std::abs(it->place.y - point.y) <= seenM) {
-                const double away = distance(point, it->place);
-                most = std::max(most, it->moveM * std::exp(-std::max(0.0, away - reachM_) / reachM_));
-            }
-        }
-        return most;
-    }
-
-    double reachM_;
-    std::vector<std::vector<Excess>> rounds_;
-};
-
-/// Adds points, close enough for the curve of the moved ring, but none on unmoved parts.
-Ring densified(const Ring& ring, const Displacement& displacement) {
-    Ring dense;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point from = ring[i];
-        const Point way = ring[(i + 1) % ring.size()] - from;
-        const auto pieces = std::max(1, static_cast<int>(std::ceil(norm(way) / kDenseM)));
-        bool wasMoved = true;
-        for (int k = 0; k < pieces; ++k) {
-            const Point at = from + (static_cast<double>(k) / pieces) * way;
-            const bool isMoved = displacement.at(at) > 0.0;
-            if (k == 0 || isMoved || wasMoved) {
-                dense.push_back(at);
-            }
-            wasMoved = isMoved;
-        }
-    }
-    return dense;
-}
-
-Ring moved(const Ring& ring, const Displacement& displacement) {
-    const Ring dense = densified(ring, displacement);
-    Ring result;
-    for (std::size_t i = 0; i < dense.size(); ++i) {
-        const Bend bend = bendAt(dense, i);
-        // At a corner the point moves along the bisector. Both edges then move by the same distance.
-        const double mitre = 1.0 / std::max(0.5, std::cos(0.5 * bend.turnRad));
-        result.push_back(dense[i] + displacement.at(dense[i]) * mitre * bend.inward);
-    }
-    // Fewer points on the same curve, since the cost of the buffers grows with the points.
-    return simplifiedRing(std::move(result), kSimplified);
-}
-
-Result<MultiPolygon> moved(const MultiPolygon& polygons, const Displacement& displacement,
-                           const JobContext& job) {
-    if (displacement.isEmpty()) {
-        return polygons;
-    }
-    MultiPolygon result;
-    for (const Polygon& polygon : polygons) {
-        result.push_back({.outer = moved(polygon.outer, displacement), .holes = {}});
-        for (const Ring& hole : polygon.holes) {
-            result.back().holes.push_back(moved(hole, displacement));
-        }
-    }
-    return madeValid(result, job);
-}
 
 enum class Look { NowAndThen, Closely };
 
@@ -311,7 +145,7 @@ Result<std::vector<Ring>> roundedRing(const Ring& ring, bool isHole, Length radi
         const Point high = box.max + away;
         side = {.outer = {low, {high.x, low.y}, high, {low.x, high.y}}, .holes = {ring}};
     }
-    return rounded(side, radius, job).transform([&](const MultiPolygon& parts) {
+    return roundedRegion(side, radius, job).transform([&](const MultiPolygon& parts) {
         std::vector<Ring> rings;
         for (const Polygon& part : parts) {
             if (!isHole) {
@@ -389,7 +223,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
     MultiPolygon outer;
     MultiPolygon holes;
     for (const Curve& line : straight->lines) {
-        Ring ring = simplifiedRing(followingTheEdge(line, edges, machine, following), kSimplified);
+        Ring ring = simplifiedRing(followingTheEdge(line, edges, machine, following), kRingTolerance);
         const bool isOuter = signedAreaM2(ring) > 0.0;
         if (!isOuter) {
             std::ranges::reverse(ring);

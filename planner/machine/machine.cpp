@@ -27,9 +27,8 @@ struct Requirement {
     bool mayBeZero = false;
 };
 
-}  // namespace
-
-Result<Machine> Machine::create(const MachineSpec& spec) {
+/// Numbers above 0, or of 0 and more.
+Result<void> checkNumbers(const MachineSpec& spec) {
     const Tractor& tractor = spec.tractor;
     const Implement& implement = spec.implement;
     const Requirement requirements[] = {
@@ -62,6 +61,36 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
                         requirement.mayBeZero ? "give a number of 0 or more" : "give a number above 0"));
         }
     }
+    return {};
+}
+
+/// A turning radius, or an angle that gives one.
+Result<void> checkSteering(const Tractor& tractor) {
+    if (tractor.minTurningRadius) {
+        return {};
+    }
+    if (!tractor.maxSteeringAngle) {
+        return std::unexpected(refused("min_turning_radius_m",
+                                       "neither turning radius nor steering angle is given",
+                                       "give min_turning_radius_m or max_steering_angle_deg"));
+    }
+    if (!(*tractor.maxSteeringAngle > degrees(0.0) && *tractor.maxSteeringAngle < degrees(90.0))) {
+        return std::unexpected(
+            refused("max_steering_angle_deg",
+                    message("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
+                    "give an angle above 0 and below 90 degrees"));
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Machine> Machine::create(const MachineSpec& spec) {
+    const Tractor& tractor = spec.tractor;
+    const Implement& implement = spec.implement;
+    if (auto checked = checkNumbers(spec).and_then([&] { return checkSteering(tractor); }); !checked) {
+        return std::unexpected(checked.error());
+    }
     const Length widest =
         std::max({implement.operatingWidth, implement.raisedWidth.value_or(Length{}), tractor.width});
     if (implement.transportWidth.value_or(widest) > widest) {
@@ -76,19 +105,6 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
         if (!std::isfinite(offset)) {
             return std::unexpected(refused("implement offsets", "an offset is not a finite number",
                                            "give the offsets in metres"));
-        }
-    }
-    if (!tractor.minTurningRadius) {
-        if (!tractor.maxSteeringAngle) {
-            return std::unexpected(refused("min_turning_radius_m",
-                                           "neither turning radius nor steering angle is given",
-                                           "give min_turning_radius_m or max_steering_angle_deg"));
-        }
-        if (!(*tractor.maxSteeringAngle > degrees(0.0) && *tractor.maxSteeringAngle < degrees(90.0))) {
-            return std::unexpected(
-                refused("max_steering_angle_deg",
-                        message("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
-                        "give an angle above 0 and below 90 degrees"));
         }
     }
     return Machine{spec};

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/turns/footprint_check.h"

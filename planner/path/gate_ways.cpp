@@ -2,8 +2,10 @@
 
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/geometry/segment.h"
 #include "planner/geometry/tolerances.h"
+#include "planner/geometry/wkt.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "planner/plan/plan_hit.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/geometry/segment.h"
 
 namespace furrow {

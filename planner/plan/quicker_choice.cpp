@@ -38,6 +38,9 @@ constexpr Angle kSameHeading = degrees(0.01);
 constexpr std::size_t kMostHeadings = 2;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
 constexpr double kNearPattern = 0.02;
+// A plan that takes this many times as long as the best one may still become the best with corners and an
+// order of its own.
+constexpr double kNearPlan = 1.01;
 
 std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
@@ -93,9 +96,13 @@ Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
-/// What was used for a setting; it may have been noted before.
-void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value) {
+void forget(std::vector<SettingChange>& instead, const Parameter& parameter) {
     std::erase_if(instead, [&](const SettingChange& change) { return change.key == parameter.key; });
+}
+
+/// The value that was used for a setting; another one may have been noted before.
+void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value) {
+    forget(instead, parameter);
     instead.push_back({std::string{parameter.key}, std::string{value}});
 }
 
@@ -130,7 +137,8 @@ public:
 
 private:
     Result<bool> takeIfBetter(Best& best, const PlanRequest& other);
-    Result<bool> tryPattern(Best& best, std::string_view pattern);
+    Result<std::optional<PlannedStages>> nearPlan(const Best& best, const PlanRequest& other);
+    Result<void> tryPattern(Best& best, std::string_view pattern);
     Result<void> tryCorners(Best& best);
     Result<void> decideOrderAndCorners(Best& best);
     Result<void> tryHeading(Best& best, const HeadingCandidate& candidate);
@@ -151,6 +159,20 @@ Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
     }
     best.plan = *std::move(plan);
     return true;
+}
+
+/// The plan with other settings where it is better as driven, or takes little longer. Cancelled.
+Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const PlanRequest& other) {
+    PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
+    toBeat.time = kNearPlan * toBeat.time;
+    auto plan = runner_.run(other, toBeat, quiet_);
+    if (isCancelled(plan)) {
+        return std::unexpected(plan.error());
+    }
+    const bool isNear = plan && (plan->blockingCount() < best.plan.blockingCount() ||
+                                 (plan->blockingCount() == best.plan.blockingCount() &&
+                                  timeOf(*plan) <= kNearPlan * timeOf(best.plan)));
+    return isNear ? std::optional{*std::move(plan)} : std::nullopt;
 }
 
 /// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
@@ -199,50 +221,57 @@ Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, c
     return ids;
 }
 
-/// Order and corners for the swaths of this plan, one after the other, the corners once more for another
-/// order. An order of one's own stays.
+/// Order and corners for the swaths of this plan. An order of one's own stays. Cancelled.
 Result<void> Chooser::decideOrderAndCorners(Best& best) {
     const auto patterns = patternsToTry(best.plan, quiet_);
     if (!patterns) {
         return std::unexpected(patterns.error());
     }
     Result<void> tried = tryCorners(best);
-    bool isAnotherOrder = false;
     for (const std::string_view pattern : *patterns) {
-        tried = tried.and_then([&] { return tryPattern(best, pattern); }).transform([&](bool isTaken) {
-            isAnotherOrder = isAnotherOrder || isTaken;
-        });
+        tried = tried.and_then([&] { return tryPattern(best, pattern); });
     }
-    return tried.and_then([&] { return isAnotherOrder ? tryCorners(best) : Result<void>{}; });
+    return tried;
 }
 
-/// Takes the plan in another order, with the same corners, where that is quicker: whether it is. Cancelled.
-Result<bool> Chooser::tryPattern(Best& best, std::string_view pattern) {
+/// Takes the plan in another order with its own best corners, where that is quicker. Cancelled.
+Result<void> Chooser::tryPattern(Best& best, std::string_view pattern) {
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
-    const auto isTaken = takeIfBetter(best, request);
-    if (isTaken && *isTaken) {
-        note(best.instead, route, pattern);
+    auto plan = nearPlan(best, request);
+    if (!plan || !*plan) {
+        return plan.transform([](auto&&) {});
     }
-    return isTaken;
+    Best other = best;
+    other.plan = **std::move(plan);
+    note(other.instead, route, pattern);
+    return tryCorners(other).transform([&] {
+        if (isBetter(other.plan, best.plan)) {
+            best = std::move(other);
+        }
+    });
 }
 
-/// Takes the plan along another heading where that is quicker, with the corners of the best plan so far; then
-/// with an order and corners of its own. Cancelled.
+/// Takes the plan along another heading with its own best order and corners, where that is quicker. It is
+/// first planned with the corners of the best plan so far. Cancelled.
 Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate) {
     PlanRequest request = along(best.asked, candidate.heading);
     const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
     request.settings.set(kHeadlandCorner, corner).value();
-    const PlannedStages before = best.plan;
-    const auto isTaken = takeIfBetter(best, request);
-    if (!isTaken || !*isTaken) {
-        return isTaken.transform([](bool) {});
+    auto plan = nearPlan(best, request);
+    if (!plan || !*plan) {
+        return plan.transform([](auto&&) {});
     }
-    std::erase_if(best.instead,
-                  [](const SettingChange& change) { return change.key == stageMethod("route")->key; });
-    best.notes = {{anotherHeading(candidate, reasonFor(best.plan, before)), "instead", {}}};
-    return decideOrderAndCorners(best);
+    Best other = best;
+    other.plan = **std::move(plan);
+    forget(other.instead, *stageMethod("route"));
+    return decideOrderAndCorners(other).transform([&] {
+        if (isBetter(other.plan, best.plan)) {
+            other.notes = {{anotherHeading(candidate, reasonFor(other.plan, best.plan)), "instead", {}}};
+            best = std::move(other);
+        }
+    });
 }
 
 Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job) {

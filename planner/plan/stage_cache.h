@@ -21,6 +21,7 @@ struct SwathInputs {
     std::shared_ptr<const Ground> ground;
     std::vector<Ring> round;  ///< obstacles that swaths go round
     MultiPolygon mainland;
+    std::shared_ptr<const SwathSet> found;
     int passes = 0;  ///< of the headland
 
     friend bool operator==(const SwathInputs&, const SwathInputs&) = default;

@@ -13,7 +13,7 @@ namespace furrow {
 /// The last results of one stage with what they were made from. A stage whose inputs are equal is not run
 /// again: field, machine and guides, the settings that it asked for, and `Inputs`, what the stages before it
 /// made. May be asked by several threads at once. Of `kMost` results the one that was made first is
-/// forgotten. A stage may ask the memo of another stage: its result then depends on the settings of both.
+/// forgotten.
 template <class Inputs, class Value, std::size_t kMost = 24>
 class StageMemo {
 public:
@@ -31,7 +31,6 @@ public:
         if (!made) {
             return std::unexpected(made.error());
         }
-        request.settings.writeDown(*reads);
         auto value = std::make_shared<const Value>(*std::move(made));
         const std::scoped_lock lock{mutex_};
         listening.settings = request.settings.writingDown({});
@@ -56,7 +55,6 @@ private:
         for (const Kept& kept : results_) {
             if (kept.inputs == inputs && isSameButSettings(kept.request, request) &&
                 kept.reads->areEqualIn(kept.request.settings, request.settings)) {
-                request.settings.writeDown(*kept.reads);
                 return kept.value;
             }
         }

@@ -87,20 +87,21 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
             continue;
         }
         const JobContext searching = part.part(0.12, 0.9);
-        const SwathSearch search = [&](const PlanRequest& asking, const MultiPolygon& mainland) {
-            return cache_.searches.get(asking, mainland, [&](const PlanRequest& inner) {
-                return swathsByMethod(inner, mainland, searching);
-            });
-        };
+        const MultiPolygon& mainland = (*headland)->mainland;
+        const auto found = cache_.searches.get(request, mainland, [&](const PlanRequest& asking) {
+            return timed(timings_.swaths, [&] { return swathsByMethod(asking, mainland, searching); });
+        });
+        if (!found) {
+            return std::unexpected(found.error());
+        }
         const auto swaths = cache_.swaths.get(
-            request, {ground, round, (*headland)->mainland, (*headland)->passes},
-            [&](const PlanRequest& asking) {
+            request, {ground, round, mainland, *found, (*headland)->passes}, [&](const PlanRequest& asking) {
                 const LayTask task{.request = asking,
                                    .ground = *ground,
                                    .workable = workable,
-                                   .mainland = (*headland)->mainland,
+                                   .mainland = mainland,
                                    .passes = (*headland)->passes,
-                                   .search = search};
+                                   .found = **found};
                 return timed(timings_.swaths, [&] {
                     return layStage(task, part.part(0.9, 0.95)).and_then([&](LaidSwaths&& laid) {
                         return roundStage(std::move(laid), round, task, part.part(0.95, 1.0));

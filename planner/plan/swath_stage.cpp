@@ -199,11 +199,7 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
 
 Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     const PlanRequest& request = task.request;
-    const auto found = task.search(request, task.mainland);
-    if (!found) {
-        return std::unexpected(found.error());
-    }
-    SwathSet common = **found;
+    SwathSet common = task.found;
     markTramlines(common, request.settings);
     const auto pieces = piecesBetweenSplits(request, task.mainland, common.notes, job);
     if (!pieces) {

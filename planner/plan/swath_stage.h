@@ -2,15 +2,9 @@
 
 #include "planner/plan/stages.h"
 
-#include <functional>
-#include <memory>
 #include <vector>
 
 namespace furrow {
-
-/// The swaths of the chosen method in a mainland, found now or remembered.
-using SwathSearch = std::function<Result<std::shared_ptr<const SwathSet>>(const PlanRequest& request,
-                                                                          const MultiPolygon& mainland)>;
 
 /// What the swaths of a plan are laid from.
 struct LayTask {
@@ -18,8 +12,8 @@ struct LayTask {
     const Ground& ground;
     const MultiPolygon& workable;  ///< that the headland was laid along
     const MultiPolygon& mainland;
-    int passes = 0;  ///< of the headland
-    const SwathSearch& search;
+    int passes = 0;         ///< of the headland
+    const SwathSet& found;  ///< of the chosen method in the mainland
 };
 
 /// The swaths of the chosen method with their tramlines and with ends as the settings want them, cut where

@@ -55,6 +55,9 @@ struct Parameter {
     double max = 0.0;   ///< largest allowed number
     double step = 1.0;  ///< a sensible step for arrow keys
     std::span<const Choice> choices;
+    /// Key of the setting that says the same in other words; who gives one takes back the other. Empty for
+    /// most.
+    std::string_view excludes = {};
 
     SettingValue defaultValue() const;
 };

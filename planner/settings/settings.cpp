@@ -1,6 +1,7 @@
 #include "planner/settings/settings.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/wkt.h"
 #include "planner/settings/operation.h"
 
 #include <algorithm>
@@ -129,6 +130,38 @@ std::optional<std::vector<GeoPoint>> parsedLine(const std::string& text) {
     return line;
 }
 
+/// The kind of value that a parameter takes, where this is none of it.
+std::optional<Message> wantedInstead(const Parameter& parameter, const SettingValue& value) {
+    const ParameterKind kind = parameter.kind;
+    if (std::holds_alternative<Auto>(value)) {
+        return parameter.canBeAuto             ? std::nullopt
+               : kind == ParameterKind::Choice ? std::optional<Message>{"one of its choices"}
+                                               : std::optional<Message>{"a value of its own"};
+    }
+    const auto* const text = std::get_if<std::string>(&value);
+    const auto unless = [](bool fits, Message wanted) {
+        return fits ? std::nullopt : std::optional{std::move(wanted)};
+    };
+    switch (kind) {
+        case ParameterKind::Flag: return unless(std::holds_alternative<bool>(value), "true or false");
+        case ParameterKind::Choice: return unless(text != nullptr, "one of its choices");
+        case ParameterKind::File: return unless(text != nullptr, "the path of a file");
+        case ParameterKind::Place:
+            return unless(text != nullptr, "the name of a gate or a point in WGS84 such as POINT (4.1 52.0)");
+        case ParameterKind::Line:
+            return unless(text != nullptr && parsedLine(*text).has_value(),
+                          "a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)");
+        case ParameterKind::Lines:
+            return unless(
+                text != nullptr && parsedLines(*text).has_value(),
+                "lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))");
+        case ParameterKind::Numbers:
+            return unless(text != nullptr && parsedNumbers(*text).has_value(),
+                          "whole numbers divided by commas");
+        default: return unless(std::holds_alternative<double>(value), "a number");
+    }
+}
+
 }  // namespace
 
 void SettingReads::addValue(const Parameter& parameter) {
@@ -141,12 +174,6 @@ void SettingReads::addGiven(const Parameter& parameter) {
     given_.insert(&parameter);
 }
 
-void SettingReads::add(const SettingReads& others) {
-    const std::scoped_lock lock{mutex_, others.mutex_};
-    values_.insert(others.values_.begin(), others.values_.end());
-    given_.insert(others.given_.begin(), others.given_.end());
-}
-
 bool SettingReads::areEqualIn(const Settings& a, const Settings& b) const {
     const std::scoped_lock lock{mutex_};
     return std::ranges::all_of(values_,
@@ -156,56 +183,17 @@ bool SettingReads::areEqualIn(const Settings& a, const Settings& b) const {
 }
 
 Result<void> Settings::set(const Parameter& parameter, const SettingValue& value) {
-    const auto wrongKind = [&](const Message& wanted) {
-        return std::unexpected(refused(parameter, message("'{}' is not {}", settingText(value), wanted),
-                                       message("give {}", wanted)));
-    };
+    const auto wanted = wantedInstead(parameter, value);
+    if (wanted) {
+        return std::unexpected(refused(parameter, message("'{}' is not {}", settingText(value), *wanted),
+                                       message("give {}", *wanted)));
+    }
     Result<void> checked;
-    if (std::holds_alternative<Auto>(value)) {
-        if (!parameter.canBeAuto) {
-            return wrongKind(parameter.kind == ParameterKind::Choice ? "one of its choices"
-                                                                     : "a value of its own");
-        }
-    } else if (parameter.kind == ParameterKind::Flag) {
-        if (!std::holds_alternative<bool>(value)) {
-            return wrongKind("true or false");
-        }
-    } else if (parameter.kind == ParameterKind::Choice) {
-        const auto* id = std::get_if<std::string>(&value);
-        if (id == nullptr) {
-            return wrongKind("one of its choices");
-        }
-        checked = checkChoice(parameter, *id);
-    } else if (parameter.kind == ParameterKind::Line) {
-        const auto* text = std::get_if<std::string>(&value);
-        if (text == nullptr || !parsedLine(*text)) {
-            return wrongKind("a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)");
-        }
-    } else if (parameter.kind == ParameterKind::Lines) {
-        const auto* text = std::get_if<std::string>(&value);
-        if (text == nullptr || !parsedLines(*text)) {
-            return wrongKind(
-                "lines in WGS84 such as MULTILINESTRING ((4.1 52.0, 4.2 52.0), (4.1 52.1, 4.2 52.1))");
-        }
-    } else if (parameter.kind == ParameterKind::File) {
-        if (!std::holds_alternative<std::string>(value)) {
-            return wrongKind("the path of a file");
-        }
-    } else if (parameter.kind == ParameterKind::Place) {
-        if (!std::holds_alternative<std::string>(value)) {
-            return wrongKind("the name of a gate or a point in WGS84 such as POINT (4.1 52.0)");
-        }
-    } else if (parameter.kind == ParameterKind::Numbers) {
-        const auto* text = std::get_if<std::string>(&value);
-        if (text == nullptr || !parsedNumbers(*text)) {
-            return wrongKind("whole numbers divided by commas");
-        }
-    } else {
-        const auto* number = std::get_if<double>(&value);
-        if (number == nullptr) {
-            return wrongKind("a number");
-        }
+    if (const auto* number = std::get_if<double>(&value)) {
         checked = checkNumber(parameter, *number);
+    } else if (const auto* text = std::get_if<std::string>(&value);
+               text != nullptr && parameter.kind == ParameterKind::Choice) {
+        checked = checkChoice(parameter, *text);
     }
     if (!checked) {
         return checked;
@@ -263,12 +251,6 @@ Settings Settings::writingDown(std::shared_ptr<SettingReads> reads) const {
     Settings listening = *this;
     listening.listener_.reads = std::move(reads);
     return listening;
-}
-
-void Settings::writeDown(const SettingReads& reads) const {
-    if (listener_.reads) {
-        listener_.reads->add(reads);
-    }
 }
 
 SettingValue Settings::value(const Parameter& parameter) const {

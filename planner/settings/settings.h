@@ -27,8 +27,6 @@ public:
     void addValue(const Parameter& parameter);
     void addGiven(const Parameter& parameter);
 
-    void add(const SettingReads& others);
-
     /// Whether both give the same answers to all questions.
     bool areEqualIn(const Settings& a, const Settings& b) const;
 
@@ -74,8 +72,6 @@ public:
 
     /// The same settings; they and their copies write down what they are asked for.
     Settings writingDown(std::shared_ptr<SettingReads> reads) const;
-    /// Writes down the questions of a part of the work that had its own list.
-    void writeDown(const SettingReads& reads) const;
 
     friend bool operator==(const Settings&, const Settings&) = default;
 

@@ -192,20 +192,36 @@ public:
     }
 
 private:
+    /// The longest contour line of this height in a region, or its longest edge.
+    Result<GuideLine> guideFor(const Polygon& region, const MainlandEdges& edges, double heightM,
+                               bool alongEdge) const {
+        Polyline contour =
+            opened(longestInside(contourLines(heights_, heightM), edges), 2.0 * spacing_.width.si());
+        if (alongEdge || contour.size() < 2 || lengthM(contour) < 2.0 * spacing_.width.si()) {
+            contour = longestEdge(region);
+        }
+        const auto guide = guideCurve(contour, radius_, reach_, kElevation.key);
+        // A line that turns back on itself is no guide.
+        return guide ? guide : guideCurve(longestEdge(region), radius_, reach_, kElevation.key);
+    }
+
+    /// Where parallels lie that cover a region.
+    std::vector<double> placesBeside(const ParallelLines& parallels, const MainlandEdges& edges) const {
+        double lowM = std::numeric_limits<double>::infinity();
+        double highM = -lowM;
+        for (const Point& point : edges.pointsAlong(kLook)) {
+            const double leftM = parallels.leftOf(point);
+            lowM = std::min(lowM, leftM);
+            highM = std::max(highM, leftM);
+        }
+        return trackPlaces(lowM, highM, spacing_, true);
+    }
+
     Result<void> layBlock(const Region& given, const JobContext& job) {
         const Polygon& region = given.outline;
         const MainlandEdges edges{{region}};
         const double middleM = medianOf(heightsIn(heights_, edges));
-        Polyline contour =
-            opened(longestInside(contourLines(heights_, middleM), edges), 2.0 * spacing_.width.si());
-        if (given.anyway || contour.size() < 2 || lengthM(contour) < 2.0 * spacing_.width.si()) {
-            contour = longestEdge(region);
-        }
-        auto guide = guideCurve(contour, radius_, reach_, kElevation.key);
-        if (!guide) {
-            // A line that turns back on itself is no guide.
-            guide = guideCurve(longestEdge(region), radius_, reach_, kElevation.key);
-        }
+        const auto guide = guideFor(region, edges, middleM, given.anyway);
         if (!guide) {
             return std::unexpected(guide.error());
         }
@@ -218,14 +234,7 @@ private:
             return std::unexpected(around.error());
         }
         const ParallelLines parallels{*guide};
-        double lowM = std::numeric_limits<double>::infinity();
-        double highM = -lowM;
-        for (const Point& point : edges.pointsAlong(kLook)) {
-            const double leftM = parallels.leftOf(point);
-            lowM = std::min(lowM, leftM);
-            highM = std::max(highM, leftM);
-        }
-        const std::vector<double> places = trackPlaces(lowM, highM, spacing_, true);
+        const std::vector<double> places = placesBeside(parallels, edges);
         const MainlandEdges working{*around};
         Block block{.heightM = middleM, .lines = {}};
         const bool isLast = given.anyway || blocks_.size() + 1 >= kMostBlocks;

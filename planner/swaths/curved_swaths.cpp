@@ -48,48 +48,46 @@ Angle meanHeading(const std::vector<Swath>& swaths) {
     return normalisedSwathHeading(radians(0.5 * std::atan2(sum.y, sum.x)));
 }
 
+/// What lies within half the width of a line.
+Polygon stripAlong(const Curve& line, double halfM) {
+    Ring left;
+    Ring right;
+    for (const CurveSample& sample : sampled(line, kStripChord)) {
+        const Point ahead = direction(sample.pose.heading.si());
+        const Point side{-ahead.y, ahead.x};
+        left.push_back(sample.pose.position + halfM * side);
+        right.push_back(sample.pose.position - halfM * side);
+    }
+    std::ranges::reverse(left);
+    right.insert(right.end(), left.begin(), left.end());
+    const CurvePiece& first = line.pieces.front();
+    if (std::abs(first.curvature.si()) * halfM >= 1.0) {
+        // A sector about a centre inside the strip.
+        const Point ahead = direction(line.start.heading.si());
+        const double radiusM = 1.0 / first.curvature.si();
+        const Point centre = line.start.position + radiusM * Point{-ahead.y, ahead.x};
+        const double outerM = std::abs(radiusM) + halfM;
+        std::erase_if(right, [&](Point point) { return distance(point, centre) < 0.5 * outerM; });
+        right.push_back(centre);
+    }
+    if (signedAreaM2(right) < 0.0) {
+        std::ranges::reverse(right);
+    }
+    return {.outer = std::move(right), .holes = {}};
+}
+
 }  // namespace
 
 // No strip turns far enough to come back to itself. Where the line bends more tightly than half the width,
 // every arc is a strip of its own.
 void addStrips(const Curve& whole, Length width, MultiPolygon& strips) {
     const double halfM = 0.5 * width.si();
-    const auto strip = [halfM](const Curve& line) {
-        Ring left;
-        Ring right;
-        for (const CurveSample& sample : sampled(line, kStripChord)) {
-            const Point ahead = direction(sample.pose.heading.si());
-            const Point side{-ahead.y, ahead.x};
-            left.push_back(sample.pose.position + halfM * side);
-            right.push_back(sample.pose.position - halfM * side);
-        }
-        std::ranges::reverse(left);
-        right.insert(right.end(), left.begin(), left.end());
-        return Polygon{.outer = std::move(right), .holes = {}};
-    };
-    const auto addPart = [&](const Curve& part) {
-        Polygon polygon = strip(part);
-        const CurvePiece& first = part.pieces.front();
-        if (std::abs(first.curvature.si()) * halfM >= 1.0) {
-            // A sector about a centre inside the strip.
-            const Point ahead = direction(part.start.heading.si());
-            const double radiusM = 1.0 / first.curvature.si();
-            const Point centre = part.start.position + radiusM * Point{-ahead.y, ahead.x};
-            const double outerM = std::abs(radiusM) + halfM;
-            std::erase_if(polygon.outer, [&](Point point) { return distance(point, centre) < 0.5 * outerM; });
-            polygon.outer.push_back(centre);
-        }
-        if (signedAreaM2(polygon.outer) < 0.0) {
-            std::ranges::reverse(polygon.outer);
-        }
-        strips.push_back(std::move(polygon));
-    };
     Curve open{.type = {}, .start = whole.start, .pieces = {}};
     double turnedRad = 0.0;
     Pose at = whole.start;
     const auto close = [&] {
         if (!open.pieces.empty()) {
-            addPart(open);
+            strips.push_back(stripAlong(open, halfM));
         }
         open = {.type = {}, .start = at, .pieces = {}};
         turnedRad = 0.0;

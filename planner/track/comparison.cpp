@@ -1,5 +1,7 @@
 #include "planner/track/comparison.h"
 
+#include "planner/track/path_edges.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,162 +28,11 @@ constexpr double kWayNoiseShare = 0.25;
 
 // Below this the direction between samples is noise of the receiver.
 constexpr double kShortestCourseM = 0.2;
-// A sample this far before the start or behind the end is not on the path.
-constexpr double kBeyondEndM = 0.5;
 // A longer step is a pause or a break of the recording, unless the machine drove on meanwhile.
 constexpr double kLongestStepS = 30.0;
 constexpr double kSlowestDrivingMps = 0.5;
 
 constexpr std::size_t kMostCandidates = 8;
-
-/// Two consecutive samples of the path.
-struct Edge {
-    Point from;
-    Point along;  ///< unit vector
-    double lengthM = 0.0;
-    double sM = 0.0;  ///< at `from`
-    double sPerM = 1.0;
-    std::uint32_t segment = 0;
-    bool first = false;
-    bool last = false;
-};
-
-std::vector<Edge> edgesOf(const Path& path) {
-    std::vector<Edge> edges;
-    for (std::size_t i = 0; i < path.segments.size(); ++i) {
-        const std::vector<PathSample>& samples = path.segments[i].samples;
-        for (std::size_t k = 1; k < samples.size(); ++k) {
-            const Point step = samples[k].position - samples[k - 1].position;
-            const double length = norm(step);
-            if (length > 0.0 && std::isfinite(length)) {
-                edges.push_back({.from = samples[k - 1].position,
-                                 .along = (1.0 / length) * step,
-                                 .lengthM = length,
-                                 .sM = samples[k - 1].sM,
-                                 .sPerM = (samples[k].sM - samples[k - 1].sM) / length,
-                                 .segment = static_cast<std::uint32_t>(i)});
-            }
-        }
-    }
-    if (!edges.empty()) {
-        edges.front().first = true;
-        edges.back().last = true;
-    }
-    return edges;
-}
-
-/// The nearest point of an edge.
-struct Foot {
-    double alongM = 0.0;      ///< from the edge's beginning, within its length
-    double offM = kInfinity;  ///< distance
-};
-
-Foot footOn(const Edge& edge, Point place) {
-    const Point from = place - edge.from;
-    const double along = dot(from, edge.along);
-    if ((edge.first && along < -kBeyondEndM) || (edge.last && along > edge.lengthM + kBeyondEndM)) {
-        return {};
-    }
-    const double clamped = std::clamp(along, 0.0, edge.lengthM);
-    return {clamped, norm(from - clamped * edge.along)};
-}
-
-/// Square cells with the edges that run through them.
-class EdgeGrid {
-public:
-    // Edges are entered in steps of half a cell, so that each of their points is within a quarter of a cell
-    // of an entered one. With cells of 4/3 of the radius, no point within the radius is then farther from an
-    // entered one than a cell is wide.
-    static constexpr double kCellOfRadius = 4.0 / 3.0;
-
-    EdgeGrid(std::span<const Edge> edges, double radiusM) {
-        Point high;
-        for (const Edge& edge : edges) {
-            const Point to = edge.from + edge.lengthM * edge.along;
-            const bool first = &edge == &edges.front();
-            low_ = first ? edge.from : low_;
-            high = first ? edge.from : high;
-            low_ = {std::min({low_.x, edge.from.x, to.x}), std::min({low_.y, edge.from.y, to.y})};
-            high = {std::max({high.x, edge.from.x, to.x}), std::max({high.y, edge.from.y, to.y})};
-        }
-        // Not more cells than memory allows on a path of hundreds of kilometres.
-        constexpr double kMostCells = 4e6;
-        const Point size = high - low_;
-        cellM_ = std::max({kCellOfRadius * radiusM, std::sqrt(size.x * size.y / kMostCells),
-                           std::max(size.x, size.y) / kMostCells});
-        columns_ = static_cast<std::size_t>(size.x / cellM_) + 1;
-        rows_ = static_cast<std::size_t>(size.y / cellM_) + 1;
-        fill(edges);
-    }
-
-    /// Calls `visit(edge index)` for every edge within the radius of a place, and for others, some twice.
-    template <class Visit>
-    void near(Point place, Visit&& visit) const {
-        const double column = std::floor((place.x - low_.x) / cellM_);
-        const double row = std::floor((place.y - low_.y) / cellM_);
-        // Also false for places that are not finite.
-        if (!(column >= -1.0 && row >= -1.0 && column <= static_cast<double>(columns_) &&
-              row <= static_cast<double>(rows_))) {
-            return;
-        }
-        for (double r = row - 1.0; r <= row + 1.0; ++r) {
-            for (double c = column - 1.0; c <= column + 1.0; ++c) {
-                if (r >= 0.0 && c >= 0.0 && r < static_cast<double>(rows_) &&
-                    c < static_cast<double>(columns_)) {
-                    const std::size_t cell =
-                        static_cast<std::size_t>(r) * columns_ + static_cast<std::size_t>(c);
-                    for (std::size_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-                        visit(entries_[i]);
-                    }
-                }
-            }
-        }
-    }
-
-private:
-    std::size_t cellOf(Point place) const {
-        const auto column = static_cast<std::size_t>(std::max(0.0, (place.x - low_.x) / cellM_));
-        const auto row = static_cast<std::size_t>(std::max(0.0, (place.y - low_.y) / cellM_));
-        return std::min(row, rows_ - 1) * columns_ + std::min(column, columns_ - 1);
-    }
-
-    /// Calls `visit(cell)` along an edge.
-    template <class Visit>
-    void walk(const Edge& edge, Visit&& visit) const {
-        const auto steps = static_cast<std::size_t>(std::ceil(2.0 * edge.lengthM / cellM_)) + 1;
-        std::size_t before = SIZE_MAX;
-        for (std::size_t i = 0; i <= steps; ++i) {
-            const double at = edge.lengthM * static_cast<double>(i) / static_cast<double>(steps);
-            const std::size_t cell = cellOf(edge.from + at * edge.along);
-            if (cell != before) {
-                visit(cell);
-            }
-            before = cell;
-        }
-    }
-
-    void fill(std::span<const Edge> edges) {
-        begin_.assign(columns_ * rows_ + 1, 0);
-        for (const Edge& edge : edges) {
-            walk(edge, [this](std::size_t cell) { ++begin_[cell + 1]; });
-        }
-        for (std::size_t i = 1; i < begin_.size(); ++i) {
-            begin_[i] += begin_[i - 1];
-        }
-        entries_.resize(begin_.back());
-        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            walk(edges[i], [&](std::size_t cell) { entries_[next[cell]++] = static_cast<std::uint32_t>(i); });
-        }
-    }
-
-    Point low_;
-    double cellM_ = 1.0;
-    std::size_t columns_ = 1;
-    std::size_t rows_ = 1;
-    std::vector<std::size_t> begin_;
-    std::vector<std::uint32_t> entries_;
-};
 
 struct Candidate {
     std::uint32_t edge = 0;
@@ -195,7 +46,7 @@ struct Scored {
 
 class Matcher {
 public:
-    Matcher(std::vector<Edge> edges, const Path& path, double radiusM)
+    Matcher(std::vector<PathEdge> edges, const Path& path, double radiusM)
         : edges_{std::move(edges)}, path_{path}, radiusM_{radiusM}, grid_{edges_, radiusM} {}
 
     Result<std::vector<std::optional<TrackMatch>>> match(const RecordedTrack& track, const Ring& places,
@@ -311,7 +162,7 @@ private:
     }
 
     double placeCost(const Scored& scored, const Course& course, const TrackSample& sample) const {
-        const Edge& edge = edges_[scored.edge];
+        const PathEdge& edge = edges_[scored.edge];
         const double off = scored.foot.offM / (kScaleOfRadius * radiusM_);
         double cost = off * off;
         if (course.onward) {
@@ -329,7 +180,7 @@ private:
     }
 
     double sOf(const Scored& scored) const {
-        const Edge& edge = edges_[scored.edge];
+        const PathEdge& edge = edges_[scored.edge];
         return edge.sM + scored.foot.alongM * edge.sPerM;
     }
 
@@ -358,7 +209,7 @@ private:
     }
 
     TrackMatch matchOn(std::uint32_t index, Point place) const {
-        const Edge& edge = edges_[index];
+        const PathEdge& edge = edges_[index];
         const Foot foot = footOn(edge, place);
         const Point at = edge.from + foot.alongM * edge.along;
         return {.sM = edge.sM + foot.alongM * edge.sPerM,
@@ -368,10 +219,10 @@ private:
                 .crossTrackM = std::copysign(foot.offM, cross(edge.along, place - at))};
     }
 
-    std::vector<Edge> edges_;
+    std::vector<PathEdge> edges_;
     const Path& path_;
     double radiusM_;
-    EdgeGrid grid_;
+    PathEdgeGrid grid_;
     std::vector<Candidate> candidates_;
     std::vector<std::uint32_t> near_;
     std::vector<Scored> feet_;
@@ -451,7 +302,7 @@ Result<TrackComparison> compareWithPath(const Path& path, const LocalFrame& fram
                                         std::span<const RecordedTrack> tracks, Length radius,
                                         const JobContext& job) {
     TrackComparison comparison;
-    std::vector<Edge> edges = edgesOf(path);
+    std::vector<PathEdge> edges = edgesOf(path);
     const bool comparable = !edges.empty();
     Sum overall;
     std::array<Sum, kKinds.size()> sums;

@@ -33,16 +33,8 @@ bool isKnownReason(const Error& error) {
            });
 }
 
-}  // namespace
-
-void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
-    const std::vector<FieldSource> sources = test::collectedFields(58);
-    if (sources.empty()) {
-        QSKIP("the collection of real fields is not beside the project");
-    }
-    // 2005 of them, or every fifty-eighth: plans that need many short passes take seconds.
-    QVERIFY(sources.size() == 2005 || sources.size() == 35);
-
+/// What came of the fields.
+struct Tally {
     int planned = 0;
     int drivable = 0;
     int large = 0;
@@ -53,14 +45,56 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
     double slowest = 0.0;
     std::string slowestId;
     std::map<std::string, int> refusals;
+
+    void addRefusal(const Error& error) { ++refusals[error.what.substr(0, 30)]; }
+    void addPlan(const Plan& plan, const std::string& fieldId, bool isLarge) {
+        ++planned;
+        largePlanned += isLarge ? 1 : 0;
+        drivable += plan.drivable() ? 1 : 0;
+        turns += plan.path.turnCount();
+        undrivableTurns += plan.path.undrivableCount();
+        milliseconds.push_back(plan.timings.total.si() * 1e3);
+        if (milliseconds.back() > slowest) {
+            slowest = milliseconds.back();
+            slowestId = fieldId;
+        }
+    }
+    void tell(std::size_t fields) {
+        std::ranges::sort(milliseconds);
+        QVERIFY(!milliseconds.empty());
+        const auto quantile = [&](double share) {
+            return milliseconds[static_cast<std::size_t>(share *
+                                                         static_cast<double>(milliseconds.size() - 1))];
+        };
+        qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%",
+              planned, fields, largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
+        qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms (%s)", quantile(0.5),
+              quantile(0.95), slowest, slowestId.c_str());
+        for (const auto& [reason, count] : refusals) {
+            qInfo("refused %d: %s ...", count, reason.c_str());
+        }
+    }
+};
+
+}  // namespace
+
+void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
+    const std::vector<FieldSource> sources = test::collectedFields(58);
+    if (sources.empty()) {
+        QSKIP("the collection of real fields is not beside the project");
+    }
+    // 2005 of them, or every fifty-eighth: plans that need many short passes take seconds.
+    QVERIFY(sources.size() == 2005 || sources.size() == 35);
+
+    Tally tally;
     for (const FieldSource& source : sources) {
         auto field = Field::create(source);
         const bool valid = field.has_value();
         const bool isLarge = valid && inHectares(field->area()) > 0.3;
-        large += isLarge ? 1 : 0;
+        tally.large += isLarge ? 1 : 0;
         if (!valid) {
             QVERIFY2(isKnownReason(field.error()), qPrintable(QString::fromStdString(field.error().line())));
-            ++refusals[field.error().what.substr(0, 30)];
+            tally.addRefusal(field.error());
             continue;
         }
         const auto plan = makePlan({.field = std::make_shared<const Field>(std::move(*field)),
@@ -68,35 +102,16 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
                                     .settings = {}});
         if (!plan) {
             QVERIFY2(isKnownReason(plan.error()), qPrintable(QString::fromStdString(plan.error().line())));
-            ++refusals[plan.error().what.substr(0, 30)];
+            tally.addRefusal(plan.error());
             continue;
         }
-        ++planned;
-        largePlanned += isLarge ? 1 : 0;
-        drivable += (*plan)->drivable() ? 1 : 0;
-        turns += (*plan)->path.turnCount();
-        undrivableTurns += (*plan)->path.undrivableCount();
-        milliseconds.push_back((*plan)->timings.total.si() * 1e3);
-        if (milliseconds.back() > slowest) {
-            slowest = milliseconds.back();
-            slowestId = source.id;
-        }
+        tally.addPlan(**plan, source.id, isLarge);
         QVERIFY2(!(*plan)->swaths.swaths.empty(), source.id.c_str());
         QVERIFY2((*plan)->swaths.coverage > 0.0 && (*plan)->swaths.coverage <= 1.0, source.id.c_str());
         QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
     }
-    std::ranges::sort(milliseconds);
-    const auto quantile = [&](double share) {
-        return milliseconds[static_cast<std::size_t>(share * static_cast<double>(milliseconds.size() - 1))];
-    };
-    qInfo("planned %d of %zu, %d of %d over 0.3 ha, fully drivable %d, turns that stay inside %.1f %%",
-          planned, sources.size(), largePlanned, large, drivable, 100.0 * (1.0 - undrivableTurns / turns));
-    qInfo("planning time: median %.1f ms, 95 %% %.1f ms, largest %.0f ms (%s)", quantile(0.5), quantile(0.95),
-          slowest, slowestId.c_str());
-    for (const auto& [reason, count] : refusals) {
-        qInfo("refused %d: %s ...", count, reason.c_str());
-    }
-    QVERIFY(largePlanned >= 0.98 * large);
+    tally.tell(sources.size());
+    QVERIFY(tally.largePlanned >= 0.98 * tally.large);
 }
 
 FURROW_TEST(TestAllFields);

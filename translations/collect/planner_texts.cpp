@@ -24,59 +24,49 @@ bool isNoText(const QString& text) {
     return none.match(text).hasMatch();
 }
 
-}  // namespace
-
-bool isForPrograms(const QString& file) {
-    static const QStringList parts{"/evaluation/",  "/benchmarks/",    "/report/",       "/track/",
-                                   "/io/tracks/",   "_tracks.",        "/formats/logs/", "/track_reader",
-                                   "/written_path", "/rosbag_",        "/kml_writer",    "/gpx_writer",
-                                   "/dxf_writer",   "/guidance_lines", "/nav_path",      "/path_csv",
-                                   "/field_files",  "/core/message",   "/settings_file"};
-    return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
-}
-
-QMap<QString, bool> plannerTexts(const QString& project) {
-    QMap<QString, bool> texts;
-    static const QRegularExpression literal{kLiteral};
-    static const QRegularExpression plural{QString::fromUtf8("counted\\(\\s*(%1),\\s*(%1)").arg(kLiteral)};
+/// Whether people see a literal, by what stands before it in the code: names and sentences, no ids.
+bool isSaid(const QString& said, const QString& before) {
     static const QRegularExpression id{QString::fromUtf8("\\.(key|id) = $")};
     static const QRegularExpression named{QString::fromUtf8("\\.name = $|Message\\{$")};
     static const QRegularExpression words{QStringLiteral("[A-Za-zÀ-ÿ%}]{1,} [A-Za-z{(]|^[A-Z][a-z ]+\\.$")};
     static const QRegularExpression letters{QStringLiteral("[a-z]{2,}|^[A-Z]\\+?$")};
+    const bool isName = named.match(before).hasMatch();
+    return !isNoText(said) && !id.match(before).hasMatch() &&
+           (isName || (words.match(said).hasMatch() &&
+                       letters.match(QString{said}.remove(QStringLiteral("{}"))).hasMatch()));
+}
+
+/// Those of one file of the planner; texts that are counted are true.
+void addFromCode(const QString& text, QMap<QString, bool>& texts) {
+    static const QRegularExpression literal{kLiteral};
+    static const QRegularExpression plural{QString::fromUtf8("counted\\(\\s*(%1),\\s*(%1)").arg(kLiteral)};
+    static const QRegularExpression pattern{QString::fromUtf8("\\{(:[^{}]*)?\\}")};
     static const QRegularExpression onlyPlaces{QStringLiteral("^[%\\d\\s,.:()]*$")};
-    for (const QString& file : filesIn(project + QStringLiteral("/planner"), {"*.cpp", "*.h"})) {
-        if (isForPrograms(file)) {
+    QSet<QString> counted;
+    for (auto each = plural.globalMatch(text); each.hasNext();) {
+        const auto match = each.next();
+        counted << joined(match.captured(1)) << joined(match.captured(2));
+        texts.insert(QString::fromStdString(messageKey(joined(match.captured(2)).toStdString(), true)), true);
+    }
+    for (auto each = literal.globalMatch(text); each.hasNext();) {
+        const auto match = each.next();
+        const QString said = joined(match.captured(0));
+        const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 24),
+                                        std::min<qsizetype>(24, match.capturedStart()));
+        if (counted.contains(said) || !isSaid(said, before)) {
             continue;
         }
-        const QString text = codeOf(file);
-        QSet<QString> counted;
-        for (auto each = plural.globalMatch(text); each.hasNext();) {
-            const auto match = each.next();
-            counted << joined(match.captured(1)) << joined(match.captured(2));
-            texts.insert(QString::fromStdString(messageKey(joined(match.captured(2)).toStdString(), true)),
-                         true);
-        }
-        for (auto each = literal.globalMatch(text); each.hasNext();) {
-            const auto match = each.next();
-            const QString said = joined(match.captured(0));
-            const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 24),
-                                            std::min<qsizetype>(24, match.capturedStart()));
-            const bool isName = named.match(before).hasMatch();
-            if (counted.contains(said) || isNoText(said) || id.match(before).hasMatch() ||
-                (!isName && !words.match(said).hasMatch()) ||
-                (!isName && !letters.match(QString{said}.remove(QStringLiteral("{}"))).hasMatch())) {
-                continue;
-            }
-            static const QRegularExpression pattern{QString::fromUtf8("\\{(:[^{}]*)?\\}")};
-            const QString key = pattern.match(said).hasMatch()
-                                    ? QString::fromStdString(messageKey(said.toStdString(), false))
-                                    : said;
-            if (!key.isEmpty() && !onlyPlaces.match(key).hasMatch()) {
-                texts.insert(key, texts.value(key, false));
-            }
+        const QString key = pattern.match(said).hasMatch()
+                                ? QString::fromStdString(messageKey(said.toStdString(), false))
+                                : said;
+        if (!key.isEmpty() && !onlyPlaces.match(key).hasMatch()) {
+            texts.insert(key, texts.value(key, false));
         }
     }
-    // Errors that the window makes itself are said as the planner's are.
+}
+
+/// Errors that the window makes itself are said as the planner's are.
+void addErrorsOfTheWindow(const QString& project, QMap<QString, bool>& texts) {
     static const QRegularExpression error{QString::fromUtf8("\\.(?:what|remedy) = (%1)").arg(kLiteral)};
     for (const QString& file : filesIn(project + QStringLiteral("/ui"), {"*.cpp", "*.h"})) {
         const QString text = codeOf(file);
@@ -84,6 +74,10 @@ QMap<QString, bool> plannerTexts(const QString& project) {
             texts.insert(joined(each.next().captured(1)), false);
         }
     }
+}
+
+/// Names and descriptions of settings, methods, machines and sample fields.
+void addNames(const QString& project, QMap<QString, bool>& texts) {
     const auto add = [&texts](std::string_view text) {
         const QString key = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
         if (!key.isEmpty() && !isNoText(key) &&
@@ -118,6 +112,28 @@ QMap<QString, bool> plannerTexts(const QString& project) {
         static const QRegularExpression name{QString::fromUtf8("\"name\"\\s*:\\s*\"([^\"]*)\"")};
         add(name.match(textOf(sample)).captured(1).toStdString());
     }
+}
+
+}  // namespace
+
+bool isForPrograms(const QString& file) {
+    static const QStringList parts{"/evaluation/",  "/benchmarks/",    "/report/",       "/track/",
+                                   "/io/tracks/",   "_tracks.",        "/formats/logs/", "/track_reader",
+                                   "/written_path", "/rosbag_",        "/kml_writer",    "/gpx_writer",
+                                   "/dxf_writer",   "/guidance_lines", "/nav_path",      "/path_csv",
+                                   "/field_files",  "/core/message",   "/settings_file"};
+    return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
+}
+
+QMap<QString, bool> plannerTexts(const QString& project) {
+    QMap<QString, bool> texts;
+    for (const QString& file : filesIn(project + QStringLiteral("/planner"), {"*.cpp", "*.h"})) {
+        if (!isForPrograms(file)) {
+            addFromCode(codeOf(file), texts);
+        }
+    }
+    addErrorsOfTheWindow(project, texts);
+    addNames(project, texts);
     return texts;
 }
 

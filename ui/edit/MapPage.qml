@@ -50,7 +50,7 @@ FocusScope {
         if (event.key === Qt.Key_Escape)
             event.accepted = editor.escape();
         else if ((event.key === Qt.Key_Return || event.key === Qt.Key_Enter) && drawing)
-            editor.finishDraft();
+            editor.finishSketch();
         else if ((event.key === Qt.Key_Return || event.key === Qt.Key_Enter) && editor.hasSelection)
             root.inspectRequested();
         else if (event.key === Qt.Key_Backspace && drawing)

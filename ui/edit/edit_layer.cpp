@@ -179,8 +179,8 @@ void EditLayer::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void EditLayer::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (editor_->isDrawing() && editor_->draftCount() >= editor_->draftNeeded()) {
-        editor_->finishDraft();
+    if (editor_->isDrawing() && editor_->sketchCount() >= editor_->sketchNeeded()) {
+        editor_->finishSketch();
         // Its release is no click of its own.
         moved_ = true;
     }
@@ -214,9 +214,9 @@ void EditLayer::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void EditLayer::addDraft(Marks& marks) const {
+void EditLayer::addSketch(Marks& marks) const {
     std::vector<MapPoint> pixels;
-    for (const GeoPoint place : editor_->draft()) {
+    for (const GeoPoint place : editor_->sketch()) {
         pixels.push_back(pixelPoint(camera()->toItem(worldPoint(place))));
     }
     if (pixels.size() > 1) {
@@ -324,7 +324,7 @@ void EditLayer::addSelection(Marks& marks) const {
 EditLayer::Marks EditLayer::marks() const {
     Marks marks;
     if (editor_->isDrawing()) {
-        addDraft(marks);
+        addSketch(marks);
     } else if (editor_->shape() && world_.size() == editor_->shape()->outlines.size()) {
         addSelection(marks);
     }

@@ -56,7 +56,7 @@ private:
     void addSelection(Marks& marks) const;
     /// Those of one outline that are selected or near the pointer.
     void addVertices(Marks& marks, const OutlineId& id, const std::vector<MapPoint>& pixels) const;
-    void addDraft(Marks& marks) const;
+    void addSketch(Marks& marks) const;
     QPointF pixelOf(Point place) const;
     QPointF pixelOf(const Outline& outline, std::size_t vertex) const;
     FieldEditor::Pointer pointerAt(QPointF pixel, Qt::KeyboardModifiers modifiers) const;

@@ -72,7 +72,7 @@ void FieldEditor::follow() {
     fieldId_ = id;
     if (shape_) {
         frame_ = shape_->frame;
-    } else if (draft_.empty()) {
+    } else if (sketch_.empty()) {
         frame_.reset();
     }
     hovered_.reset();
@@ -127,9 +127,9 @@ void FieldEditor::hover(const Pointer& pointer) {
     cursor_ = pointer.place;
     if (isDrawing()) {
         if (frame_) {
-            cursor_ = frame_->toGeo(snappedTo(pointer, draftLines()));
+            cursor_ = frame_->toGeo(snappedTo(pointer, sketchLines()));
         }
-        emit draftChanged();
+        emit sketchChanged();
         emit changed();
         return;
     }
@@ -153,7 +153,7 @@ void FieldEditor::leave() {
     cursor_.reset();
     hovered_.reset();
     snap_.reset();
-    emit draftChanged();
+    emit sketchChanged();
     emit changed();
 }
 
@@ -222,11 +222,11 @@ void FieldEditor::drag(const Pointer& pointer) {
 void FieldEditor::release(const Pointer& pointer) {
     if (grip_ == Grip::Trace) {
         // Half the reach of the pointer is what a hand cannot do better anyway.
-        const Polyline line = simplified(frame_->toLocal(draft_), 0.5 * pointer.reach);
-        draft_ = frame_->toGeo(line);
+        const Polyline line = simplified(frame_->toLocal(sketch_), 0.5 * pointer.reach);
+        sketch_ = frame_->toGeo(line);
         endGrip();
-        emit draftChanged();
-        finishDraft();
+        emit sketchChanged();
+        finishSketch();
         return;
     }
     if (grip_ != Grip::None) {
@@ -251,14 +251,14 @@ void FieldEditor::endGrip() {
 void FieldEditor::click(const Pointer& pointer) {
     if (isDrawing()) {
         // Closing where it began: the first point is caught like any other.
-        if (draft_.size() >= 3 && tool_ != Tool::Guide && frame_ &&
-            distance(local(draft_.front()), local(pointer.place)) <= pointer.reach.si()) {
-            finishDraft();
+        if (sketch_.size() >= 3 && tool_ != Tool::Guide && frame_ &&
+            distance(local(sketch_.front()), local(pointer.place)) <= pointer.reach.si()) {
+            finishSketch();
             return;
         }
         GeoPoint place = pointer.place;
         if (frame_) {
-            place = frame_->toGeo(snappedTo(pointer, draftLines()));
+            place = frame_->toGeo(snappedTo(pointer, sketchLines()));
         }
         addPoint(place);
         return;
@@ -414,13 +414,13 @@ bool FieldEditor::escape() {
             document_->endDrag();
             document_->undo();
         }
-        draft_.clear();
+        sketch_.clear();
         endGrip();
-        emit draftChanged();
+        emit sketchChanged();
         return true;
     }
     if (isDrawing()) {
-        cancelDraft();
+        cancelSketch();
         return true;
     }
     if (hasSelection()) {

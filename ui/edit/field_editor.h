@@ -28,12 +28,12 @@ class FieldEditor : public QObject {
     Q_PROPERTY(bool drawing READ isDrawing NOTIFY toolChanged FINAL)
     /// Drawing tools trace the pointer while it is pressed.
     Q_PROPERTY(bool freehand READ isFreehand WRITE setFreehand NOTIFY freehandChanged FINAL)
-    Q_PROPERTY(int draftCount READ draftCount NOTIFY draftChanged FINAL)
-    Q_PROPERTY(int draftNeeded READ draftNeeded NOTIFY toolChanged FINAL)
-    Q_PROPERTY(bool draftOpen READ isDraftOpen NOTIFY toolChanged FINAL)
-    /// From the last point of the draft to the pointer; 0 without either.
-    Q_PROPERTY(double draftLengthM READ draftLengthM NOTIFY draftChanged FINAL)
-    Q_PROPERTY(double draftBearingDeg READ draftBearingDeg NOTIFY draftChanged FINAL)
+    Q_PROPERTY(int sketchCount READ sketchCount NOTIFY sketchChanged FINAL)
+    Q_PROPERTY(int sketchNeeded READ sketchNeeded NOTIFY toolChanged FINAL)
+    Q_PROPERTY(bool sketchOpen READ isDraftOpen NOTIFY toolChanged FINAL)
+    /// From the last point of the sketch to the pointer; 0 without either.
+    Q_PROPERTY(double sketchLengthM READ sketchLengthM NOTIFY sketchChanged FINAL)
+    Q_PROPERTY(double sketchBearingDeg READ sketchBearingDeg NOTIFY sketchChanged FINAL)
     Q_PROPERTY(bool dragging READ isDragging NOTIFY draggingChanged FINAL)
     Q_PROPERTY(bool canDelete READ canDelete NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool hasSelection READ hasSelection NOTIFY selectionChanged FINAL)
@@ -60,13 +60,13 @@ public:
     bool isDrawing() const { return tool_ != Tool::Select; }
     bool isFreehand() const { return freehand_; }
     void setFreehand(bool freehand);
-    int draftCount() const { return static_cast<int>(draft_.size()); }
+    int sketchCount() const { return static_cast<int>(sketch_.size()); }
     /// Points that what is drawn has at least.
-    int draftNeeded() const;
+    int sketchNeeded() const;
     /// What is drawn is a line, not an area.
     bool isDraftOpen() const { return tool_ == Tool::Guide || tool_ == Tool::Split; }
-    double draftLengthM() const;
-    double draftBearingDeg() const;
+    double sketchLengthM() const;
+    double sketchBearingDeg() const;
     bool isDragging() const { return grip_ != Grip::None; }
     /// The outlines are to be drawn from here: the plan's drawing is of what they were before, or will be in
     /// a moment.
@@ -76,11 +76,11 @@ public:
 
     // What is shown.
     const std::optional<FieldShape>& shape() const { return shape_; }
-    const GeoRing& draft() const { return draft_; }
+    const GeoRing& sketch() const { return sketch_; }
     const std::optional<ShapeHit>& hovered() const { return hovered_; }
     const Selection& selection() const { return selection_; }
     const std::optional<Snap>& snap() const { return snap_; }
-    /// Of the shape, or of the draft where there is none.
+    /// Of the shape, or of the sketch where there is none.
     const std::optional<LocalFrame>& frame() const { return frame_; }
     /// Where the pointer is drawn to; nothing while it is not on the map.
     const std::optional<GeoPoint>& cursor() const { return cursor_; }
@@ -120,8 +120,8 @@ public:
     /// Adds a point this far from the last one, in this direction clockwise from north.
     Q_INVOKABLE void addPointBy(double lengthM, double bearingDeg);
     /// Ends drawing: with enough points what was drawn is made, otherwise nothing happens.
-    Q_INVOKABLE void finishDraft();
-    Q_INVOKABLE void cancelDraft();
+    Q_INVOKABLE void finishSketch();
+    Q_INVOKABLE void cancelSketch();
     Q_INVOKABLE void removeLastPoint();
     /// Stops the innermost of what was begun: drag, drawing, selection. False where nothing was.
     Q_INVOKABLE bool escape();
@@ -147,7 +147,7 @@ signals:
     void fieldDrawn(const QList<QGeoCoordinate>& boundary);
     void toolChanged();
     void freehandChanged();
-    void draftChanged();
+    void sketchChanged();
     void draggingChanged();
     void selectionChanged();
     /// Anything that is drawn.
@@ -165,7 +165,7 @@ private:
     Point snappedTo(const Pointer& pointer, std::span<const SnapLine> lines,
                     std::optional<std::pair<OutlineId, std::size_t>> except = std::nullopt);
     std::vector<SnapLine> linesAt(const Outline& outline, std::size_t vertex) const;
-    std::vector<SnapLine> draftLines() const;
+    std::vector<SnapLine> sketchLines() const;
     void moveGrip(const Pointer& pointer, Document::Follows follows);
     void endGrip();
     // Each `text` is marked for translation.
@@ -182,7 +182,7 @@ private:
     std::string fieldId_;
     std::optional<LocalFrame> frame_;
     std::optional<FieldShape> shape_;
-    GeoRing draft_;
+    GeoRing sketch_;
     std::optional<GeoPoint> cursor_;
     std::optional<ShapeHit> hovered_;
     std::optional<Snap> snap_;

@@ -34,7 +34,7 @@ bool isDrawnLine(const OutlineId& id) {
 
 // --- Drawing ------------------------------------------------------------------------------------------
 
-int FieldEditor::draftNeeded() const {
+int FieldEditor::sketchNeeded() const {
     return tool_ == Tool::Gate ? 1 : isDraftOpen() ? 2 : 3;
 }
 
@@ -46,7 +46,7 @@ void FieldEditor::setTool(Tool tool) {
         return;
     }
     tool_ = tool;
-    draft_.clear();
+    sketch_.clear();
     snap_.reset();
     hovered_.reset();
     frame_ = shape_ ? std::optional{shape_->frame} : std::nullopt;
@@ -54,7 +54,7 @@ void FieldEditor::setTool(Tool tool) {
         select({});
     }
     emit toolChanged();
-    emit draftChanged();
+    emit sketchChanged();
     emit changed();
 }
 
@@ -65,26 +65,26 @@ void FieldEditor::setFreehand(bool freehand) {
     }
 }
 
-double FieldEditor::draftLengthM() const {
-    return draft_.empty() || !cursor_ || !frame_ ? 0.0 : distance(local(draft_.back()), local(*cursor_));
+double FieldEditor::sketchLengthM() const {
+    return sketch_.empty() || !cursor_ || !frame_ ? 0.0 : distance(local(sketch_.back()), local(*cursor_));
 }
 
-double FieldEditor::draftBearingDeg() const {
-    if (draft_.empty() || !cursor_ || !frame_) {
+double FieldEditor::sketchBearingDeg() const {
+    if (sketch_.empty() || !cursor_ || !frame_) {
         return 0.0;
     }
-    const Point way = local(*cursor_) - local(draft_.back());
+    const Point way = local(*cursor_) - local(sketch_.back());
     const double bearing = std::atan2(way.x, way.y) * 180.0 / std::numbers::pi;
     return bearing < 0.0 ? bearing + 360.0 : bearing;
 }
 
-std::vector<SnapLine> FieldEditor::draftLines() const {
+std::vector<SnapLine> FieldEditor::sketchLines() const {
     std::vector<SnapLine> lines;
-    if (draft_.size() >= 2 && frame_) {
-        lines = angleLines(local(draft_.back()), local(draft_[draft_.size() - 2]));
+    if (sketch_.size() >= 2 && frame_) {
+        lines = angleLines(local(sketch_.back()), local(sketch_[sketch_.size() - 2]));
         if (!isDraftOpen()) {
             // Where the closing edge meets the first one.
-            std::ranges::move(angleLines(local(draft_[0]), local(draft_[1])), std::back_inserter(lines));
+            std::ranges::move(angleLines(local(sketch_[0]), local(sketch_[1])), std::back_inserter(lines));
         }
     }
     return lines;
@@ -97,11 +97,11 @@ void FieldEditor::addPointAt(const QGeoCoordinate& place) {
 }
 
 void FieldEditor::addPointBy(double lengthM, double bearingDeg) {
-    if (!isDrawing() || draft_.empty() || !(lengthM > 0.0)) {
+    if (!isDrawing() || sketch_.empty() || !(lengthM > 0.0)) {
         return;
     }
     const double bearing = bearingDeg * std::numbers::pi / 180.0;
-    addPoint(frame_->toGeo(local(draft_.back()) + lengthM * Point{std::sin(bearing), std::cos(bearing)}));
+    addPoint(frame_->toGeo(local(sketch_.back()) + lengthM * Point{std::sin(bearing), std::cos(bearing)}));
 }
 
 void FieldEditor::addPoint(GeoPoint place) {
@@ -112,35 +112,35 @@ void FieldEditor::addPoint(GeoPoint place) {
         }
         frame_ = *frame;
     }
-    if (!draft_.empty() && distance(local(draft_.back()), local(place)) < 1e-3) {
+    if (!sketch_.empty() && distance(local(sketch_.back()), local(place)) < 1e-3) {
         return;
     }
-    draft_.push_back(place);
-    emit draftChanged();
+    sketch_.push_back(place);
+    emit sketchChanged();
     emit changed();
-    const bool straightGuide = tool_ == Tool::Guide && draft_.size() == 2 && !canFollowCurves();
+    const bool straightGuide = tool_ == Tool::Guide && sketch_.size() == 2 && !canFollowCurves();
     if (grip_ != Grip::Trace && (tool_ == Tool::Gate || straightGuide)) {
-        finishDraft();
+        finishSketch();
     }
 }
 
 void FieldEditor::removeLastPoint() {
-    if (!draft_.empty()) {
-        draft_.pop_back();
-        emit draftChanged();
+    if (!sketch_.empty()) {
+        sketch_.pop_back();
+        emit sketchChanged();
         emit changed();
     }
 }
 
-void FieldEditor::cancelDraft() {
+void FieldEditor::cancelSketch() {
     setTool(Tool::Select);
 }
 
-void FieldEditor::finishDraft() {
-    if (draftCount() < draftNeeded()) {
+void FieldEditor::finishSketch() {
+    if (sketchCount() < sketchNeeded()) {
         return;
     }
-    finishTool(std::exchange(draft_, {}));
+    finishTool(std::exchange(sketch_, {}));
 }
 
 void FieldEditor::finishTool(GeoRing points) {

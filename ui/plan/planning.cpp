@@ -7,24 +7,16 @@
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
 
-#include <array>
 #include <utility>
 
 namespace furrow {
 
 namespace {
 
-/// Of two settings only one may be given: setting the second brings the first back to its default.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kExclusive{
-    std::pair{std::string_view{"headland.width_m"}, std::string_view{"headland.passes"}},
-    std::pair{std::string_view{"headland.passes"}, std::string_view{"headland.width_m"}}};
-
 /// With a changed setting, those give way that cannot stand beside it.
 void clearOthers(Settings& settings, const Parameter& changed, const SettingValue& value) {
-    for (const auto& [given, other] : kExclusive) {
-        if (changed.key == given && !std::holds_alternative<Auto>(value)) {
-            settings.clear(*findParameter(other).value());
-        }
+    if (!changed.excludes.empty() && !std::holds_alternative<Auto>(value)) {
+        settings.clear(*findParameter(changed.excludes).value());
     }
     if (&changed == &kOperationKind) {
         // Who picks an operation wants what goes with it, also where another choice was made before.

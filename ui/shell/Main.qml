@@ -330,7 +330,7 @@ ApplicationWindow {
             onFileRequested: imageryDialogs.addFiles()
             onFolderRequested: imageryDialogs.addTileFolder()
         }
-        DraftHint {
+        SketchHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
             editor: page.editor

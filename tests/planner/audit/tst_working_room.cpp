@@ -2,6 +2,7 @@
 
 #include "planner/audit/working_room.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"

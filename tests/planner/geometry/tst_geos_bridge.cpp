@@ -1,5 +1,6 @@
 #include "planner/benchmarks/geos_yardstick.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/test_program.h"

@@ -3,6 +3,7 @@
 
 #include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/machine/machine_library.h"
 #include "tests/planner/turns/turn_check.h"

@@ -3,6 +3,7 @@
 
 #include "planner/field/drivable_area.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/headland/inner_passes.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/field_generator.h"

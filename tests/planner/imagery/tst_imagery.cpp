@@ -50,6 +50,21 @@ double redInTheMiddle(int band, int x, int y, int side) {
     return inside ? (band == 0 ? 255.0 : 0.0) : 100.0;
 }
 
+/// Where contour lines cross a row of pixels.
+std::vector<double> brownLines(const TilePicture& tile, int row) {
+    const auto brown = [&](int column) {
+        const auto p = pixel(tile, column, row);
+        return p[0] - p[2];
+    };
+    std::vector<double> lines;
+    for (int x = 1; x + 1 < 256; ++x) {
+        if (brown(x) > 25 && brown(x) >= brown(x - 1) && brown(x) > brown(x + 1)) {
+            lines.push_back(x + 0.5);
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 class TestImagery : public QObject {
@@ -183,16 +198,7 @@ private slots:
         // a row the lines are 5 m, 54.1 pixels apart: metres of web Mercator are 1/0.61704 of those on the
         // ground here, and 0.14929 a pixel.
         const int row = 128;
-        std::vector<double> lines;
-        for (int x = 1; x + 1 < 256; ++x) {
-            const auto brown = [&](int column) {
-                const auto p = pixel(**tile, column, row);
-                return p[0] - p[2];
-            };
-            if (brown(x) > 25 && brown(x) >= brown(x - 1) && brown(x) > brown(x + 1)) {
-                lines.push_back(x + 0.5);
-            }
-        }
+        const std::vector<double> lines = brownLines(**tile, row);
         QVERIFY2(lines.size() >= 4, qPrintable(QString::number(lines.size())));
         const double pixelM = 40075016.685578488 / (256.0 * (1 << 20)) * 0.61704;
         const double meridian = place.x - 256.0 * place.column();

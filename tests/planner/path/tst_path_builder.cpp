@@ -55,10 +55,73 @@ double arcLengthM(const PathSample& a, const PathSample& b) {
     return k == 0.0 ? chordM : 2.0 / k * std::asin(std::min(1.0, 0.5 * chordM * k));
 }
 
+/// What the samples of a path add up to.
+struct Reckoned {
+    double wayM = 0.0;
+    double timeS = 0.0;
+    const PathSample* before = nullptr;
+};
+
 }  // namespace
 
 class PathBuilderTest : public QObject {
     Q_OBJECT
+
+    static void checkLimits(const PathSample& sample, SegmentKind kind, const QByteArray& told) {
+        VERIFY_TOLD(std::abs(sample.curvature1pm) <= 1.0 / 2.1 + 1e-12, told);
+        VERIFY_TOLD(sample.headingRad >= 0.0 && sample.headingRad < 2.0 * kPi, told);
+        VERIFY_TOLD(sample.speedMps >= 0.0 && sample.speedMps <= (kind == SegmentKind::Swath ? 2.5 : 1.5),
+                    told);
+        VERIFY_TOLD(sample.speedMps * sample.speedMps * std::abs(sample.curvature1pm) <= 2.0 + 1e-9, told);
+    }
+    /// Where one segment ends the next begins.
+    static void checkJoint(const PathSample& before, const PathSample& sample, const QByteArray& told) {
+        VERIFY_TOLD(distance(before.position, sample.position) < 1e-9, told);
+        VERIFY_TOLD(std::abs(std::remainder(before.headingRad - sample.headingRad, 2.0 * kPi)) < 1e-9, told);
+        VERIFY_TOLD(std::abs(before.sM - sample.sM) < 1e-9 && std::abs(before.tS - sample.tS) < 1e-9, told);
+    }
+    static void checkStep(const PathSample& last, const PathSample& sample, double stepM,
+                          const QByteArray& told) {
+        const double squares = sample.speedMps * sample.speedMps - last.speedMps * last.speedMps;
+        VERIFY_TOLD(std::abs(squares) <= 2.0 * 0.5 * stepM * (1.0 + 1e-6) + 1e-9, told);
+        VERIFY_TOLD(sample.sM > last.sM && sample.tS > last.tS, told);
+        // Headings follow the curvature, places the headings.
+        VERIFY_TOLD(std::abs(std::remainder(sample.headingRad - last.headingRad - stepM * last.curvature1pm,
+                                            2.0 * kPi)) < 1e-6,
+                    told);
+        const Point way = sample.position - last.position;
+        const double middle = last.headingRad + 0.5 * stepM * last.curvature1pm;
+        VERIFY_TOLD(std::abs(cross(way, direction(middle))) < 1e-6 && dot(way, direction(middle)) > 0.0,
+                    told);
+    }
+    /// Alone, and beside the one before it.
+    static void checkSegment(const PathSegment& segment, bool isSwath, Reckoned& reckoned,
+                             const QByteArray& told) {
+        VERIFY_TOLD(segment.samples.size() >= 2, told);
+        VERIFY_TOLD((segment.kind == SegmentKind::Swath) == isSwath, told);
+        VERIFY_TOLD(segment.implementDown == (segment.kind == SegmentKind::Swath), told);
+        VERIFY_TOLD(segment.gear == Gear::Forward && segment.drivable && segment.reason.empty(), told);
+        VERIFY_TOLD((segment.turnType == "dubins") == (segment.kind == SegmentKind::Turn), told);
+        for (std::size_t k = 0; k < segment.samples.size(); ++k) {
+            const PathSample& sample = segment.samples[k];
+            checkLimits(sample, segment.kind, told);
+            if (k == 0 && reckoned.before != nullptr) {
+                checkJoint(*reckoned.before, sample, told);
+            } else if (k > 0) {
+                const PathSample& last = segment.samples[k - 1];
+                const double stepM = arcLengthM(last, sample);
+                reckoned.wayM += stepM;
+                reckoned.timeS += 2.0 * stepM / (last.speedMps + sample.speedMps);
+                checkStep(last, sample, stepM, told);
+            }
+            if (QTest::currentTestFailed()) {
+                return;
+            }
+            VERIFY_TOLD(std::abs(sample.sM - reckoned.wayM) < 1e-6 * (1.0 + reckoned.wayM), told);
+            VERIFY_TOLD(std::abs(sample.tS - reckoned.timeS) < 1e-6 * (1.0 + reckoned.timeS), told);
+            reckoned.before = &sample;
+        }
+    }
 
 private slots:
     // 100 m x 10 m, four swaths of 2.5 m, omega turns: R (pi + 4 acos((2 R + w) / 4 R)) each.
@@ -111,63 +174,15 @@ private slots:
             const QByteArray told = QStringLiteral("seed %1, field %2").arg(seed).arg(i).toUtf8();
             const auto& segments = driven.path.segments;
             VERIFY_TOLD(segments.size() == 2 * driven.swaths.swaths.size() - 1, told);
-            double wayM = 0.0;
-            double timeS = 0.0;
-            const PathSample* before = nullptr;
+            Reckoned reckoned;
             for (std::size_t s = 0; s < segments.size(); ++s) {
-                const PathSegment& segment = segments[s];
-                VERIFY_TOLD(segment.samples.size() >= 2, told);
-                VERIFY_TOLD((segment.kind == SegmentKind::Swath) == (s % 2 == 0), told);
-                VERIFY_TOLD(segment.implementDown == (segment.kind == SegmentKind::Swath), told);
-                VERIFY_TOLD(segment.gear == Gear::Forward && segment.drivable && segment.reason.empty(),
-                            told);
-                VERIFY_TOLD((segment.turnType == "dubins") == (segment.kind == SegmentKind::Turn), told);
-                for (std::size_t k = 0; k < segment.samples.size(); ++k) {
-                    const PathSample& sample = segment.samples[k];
-                    VERIFY_TOLD(std::abs(sample.curvature1pm) <= 1.0 / 2.1 + 1e-12, told);
-                    VERIFY_TOLD(sample.headingRad >= 0.0 && sample.headingRad < 2.0 * kPi, told);
-                    VERIFY_TOLD(sample.speedMps >= 0.0 &&
-                                    sample.speedMps <= (segment.kind == SegmentKind::Swath ? 2.5 : 1.5),
-                                told);
-                    VERIFY_TOLD(
-                        sample.speedMps * sample.speedMps * std::abs(sample.curvature1pm) <= 2.0 + 1e-9,
-                        told);
-                    if (k == 0 && before != nullptr) {
-                        // Where one segment ends the next begins.
-                        VERIFY_TOLD(distance(before->position, sample.position) < 1e-9, told);
-                        VERIFY_TOLD(std::abs(std::remainder(before->headingRad - sample.headingRad,
-                                                            2.0 * kPi)) < 1e-9,
-                                    told);
-                        VERIFY_TOLD(std::abs(before->sM - sample.sM) < 1e-9 &&
-                                        std::abs(before->tS - sample.tS) < 1e-9,
-                                    told);
-                    } else if (k > 0) {
-                        const PathSample& last = segment.samples[k - 1];
-                        const double stepM = arcLengthM(last, sample);
-                        wayM += stepM;
-                        timeS += 2.0 * stepM / (last.speedMps + sample.speedMps);
-                        const double squares =
-                            sample.speedMps * sample.speedMps - last.speedMps * last.speedMps;
-                        VERIFY_TOLD(std::abs(squares) <= 2.0 * 0.5 * stepM * (1.0 + 1e-6) + 1e-9, told);
-                        VERIFY_TOLD(sample.sM > last.sM && sample.tS > last.tS, told);
-                        // Headings follow the curvature, places the headings.
-                        VERIFY_TOLD(std::abs(std::remainder(
-                                        sample.headingRad - last.headingRad - stepM * last.curvature1pm,
-                                        2.0 * kPi)) < 1e-6,
-                                    told);
-                        const Point way = sample.position - last.position;
-                        const double middle = last.headingRad + 0.5 * stepM * last.curvature1pm;
-                        VERIFY_TOLD(std::abs(cross(way, direction(middle))) < 1e-6 &&
-                                        dot(way, direction(middle)) > 0.0,
-                                    told);
-                    }
-                    VERIFY_TOLD(std::abs(sample.sM - wayM) < 1e-6 * (1.0 + wayM), told);
-                    VERIFY_TOLD(std::abs(sample.tS - timeS) < 1e-6 * (1.0 + timeS), told);
-                    before = &sample;
+                checkSegment(segments[s], s % 2 == 0, reckoned, told);
+                if (QTest::currentTestFailed()) {
+                    return;
                 }
             }
-            VERIFY_TOLD(std::abs(driven.path.length().si() - wayM) < 1e-6 * wayM, told);
-            VERIFY_TOLD(std::abs(driven.path.duration().si() - timeS) < 1e-6 * timeS, told);
+            VERIFY_TOLD(std::abs(driven.path.length().si() - reckoned.wayM) < 1e-6 * reckoned.wayM, told);
+            VERIFY_TOLD(std::abs(driven.path.duration().si() - reckoned.timeS) < 1e-6 * reckoned.timeS, told);
         }
     }
 

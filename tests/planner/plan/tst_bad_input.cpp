@@ -1,8 +1,8 @@
 // What bad input gets, from what a file or a person gives to the finished plan: a row for each thing that is
 // repaired, said and shown, and for each that is refused with its place and what to do. Never a crash, never
-// a plan that is silently wrong. Variants of a boundary are rows of tst_field, of a machine file of
-// tst_machine_file, of other files of tst_boundary_import; cancelling stage by stage is in tst_plan, and what
-// the command line makes of it in tst_cli.
+// a plan that is silently wrong. Variants of a boundary are rows of tst_field and tst_field_repairs, of a
+// machine file of tst_machine_file, of other files of tst_boundary_import; cancelling stage by stage is in
+// tst_plan, and what the command line makes of it in tst_cli.
 
 #include "planner/io/import/boundary_import.h"
 #include "planner/plan/method_registry.h"

@@ -117,6 +117,37 @@ double outsideByGeosM2(const Plan& plan) {
 
 class TestGeneratedFields : public QObject {
     Q_OBJECT
+
+    /// Worked, missed, or left on purpose; every place of the path is one.
+    static void checkPlan(const Plan& plan, const QByteArray& where) {
+        const AuditReport& report = plan.audit;
+        const double workable = area(plan.field().workable()).si();
+        // Wet spots are left on purpose, too, and no part of what is to be worked.
+        const double left = workable - report.covered->si() - report.missed->si();
+        const double slack = 1e-6 * workable + 1e-6;
+        VERIFY_TOLD(left >= -slack && left <= report.leftOnPurpose->si() + slack, where);
+        for (const PathSegment& segment : plan.path.segments) {
+            VERIFY_TOLD(std::ranges::all_of(segment.samples,
+                                            [](const PathSample& sample) {
+                                                return std::isfinite(sample.position.x + sample.position.y +
+                                                                     sample.headingRad + sample.tS +
+                                                                     sample.sM);
+                                            }),
+                        where);
+        }
+    }
+    /// Of a plan that is called drivable and has to stay inside; counts those that GEOS looked at.
+    static void checkInside(const Plan& plan, const Machine& machine, int& looked, const QByteArray& where) {
+        VERIFY_TOLD(plan.audit.minClearance->si() >= -0.01, where);
+        // A trailed implement is not where the tractor's heading says: the audit's tests follow it by
+        // themselves.
+        if (machine.spec().implement.mounting == Mounting::Mounted) {
+            ++looked;
+            const double outside = outsideByGeosM2(plan);
+            VERIFY_TOLD(outside <= 1e-3, where + ": " + QByteArray::number(outside) + " m² outside");
+        }
+    }
+
 public:
     TestGeneratedFields() {
         if (qEnvironmentVariableIsSet("FURROW_GENERATED") &&
@@ -156,34 +187,19 @@ private slots:
             }
             ++planned;
             const Plan& plan = **made;
-            const AuditReport& report = plan.audit;
-            const double workable = area(plan.field().workable()).si();
-            // Wet spots are left on purpose, too, and no part of what is to be worked.
-            const double left = workable - report.covered->si() - report.missed->si();
-            const double slack = 1e-6 * workable + 1e-6;
-            VERIFY_TOLD(left >= -slack && left <= report.leftOnPurpose->si() + slack, where);
-            for (const PathSegment& segment : plan.path.segments) {
-                VERIFY_TOLD(
-                    std::ranges::all_of(segment.samples,
-                                        [](const PathSample& sample) {
-                                            return std::isfinite(sample.position.x + sample.position.y +
-                                                                 sample.headingRad + sample.tS + sample.sM);
-                                        }),
-                    where);
+            checkPlan(plan, where);
+            if (QTest::currentTestFailed()) {
+                return;
             }
             if (!plan.drivable()) {
                 continue;
             }
             ++drivable;
             if (settings.flag(kStayInside)) {
-                VERIFY_TOLD(report.minClearance->si() >= -0.01, where);
-                // A trailed implement is not where the tractor's heading says: the audit's tests follow it by
-                // themselves.
-                if (machine.spec().implement.mounting == Mounting::Mounted) {
-                    ++looked;
-                    const double outside = outsideByGeosM2(plan);
-                    VERIFY_TOLD(outside <= 1e-3, where + ": " + QByteArray::number(outside) + " m² outside");
-                }
+                checkInside(plan, machine, looked, where);
+            }
+            if (QTest::currentTestFailed()) {
+                return;
             }
         }
         qInfo("%d of %d planned, %d drivable, %d of them looked at with GEOS", planned, count, drivable,

@@ -172,6 +172,11 @@ private slots:
         VERIFY_RESULT(settings.set(parameter, parameter.defaultValue()));
         VERIFY_RESULT(settings.setText(parameter, settingText(parameter.defaultValue())));
         QVERIFY(settings == Settings{} || isSetByOperation(parameter.key));
+        if (!parameter.excludes.empty()) {
+            const auto excluded = findParameter(parameter.excludes);
+            VERIFY_RESULT(excluded);
+            QCOMPARE((*excluded)->excludes, parameter.key);
+        }
         // And every value that it offers can be set.
         for (const Choice& choice : parameter.choices) {
             VERIFY_RESULT(applySetting(settings, parameter.key, choice.id));

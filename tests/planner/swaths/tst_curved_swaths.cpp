@@ -1,6 +1,7 @@
 #include "planner/geometry/curve_parts.h"
 #include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/machine/machine_library.h"
 #include "planner/route/methods.h"
 #include "planner/route/route.h"
@@ -115,10 +116,92 @@ Polyline arcAround(Point centre, double radiusM) {
     return points;
 }
 
+/// Across the middle of a box. Gentle: no bend of less than 500 m, so that no parallel within the field is
+/// singular.
+Polyline gentleCurve(std::mt19937_64& random, const Bounds& box) {
+    const double headingRad = test::uniform(random, 0.0, kPi);
+    const double bendM = test::uniform(random, 500.0, 2000.0);
+    const Point middle = 0.5 * (box.min + box.max);
+    Polyline points;
+    for (int i = -40; i <= 40; ++i) {
+        points.push_back(middle + bendM * (direction(headingRad + i * 0.01) - direction(headingRad)));
+    }
+    return points;
+}
+
+/// Middle lines of swaths by their track.
+using Tracks = std::map<int, std::vector<Polyline>>;
+
+struct Neighbour {
+    double awayM = 1e12;
+    bool besideMiddle = false;
+};
+
+Neighbour neighbourOf(Point point, const std::vector<Polyline>& lines) {
+    Neighbour nearest;
+    for (const Polyline& other : lines) {
+        const double hereM = toLine(point, other);
+        nearest.besideMiddle = hereM < nearest.awayM
+                                   ? toLine(point, {other.begin() + 1, other.end() - 1}) <= hereM + 1e-9
+                                   : nearest.besideMiddle;
+        nearest.awayM = std::min(nearest.awayM, hereM);
+    }
+    return nearest;
+}
+
 }  // namespace
 
 class CurvedSwathsTest : public QObject {
     Q_OBJECT
+
+    static void checkSwaths(const SwathSet& set, const Field& field, const QByteArray& told) {
+        const auto around = dilated(field.workable(), metres(0.002), metres(0.001), {});
+        VERIFY_RESULT(around);
+        const PreparedArea area{*around};
+        for (const Swath& swath : set.swaths) {
+            VERIFY_TOLD(area.covers({middleLine(swath, metres(0.0005))}), told);
+            VERIFY_TOLD(sharpestBend(swath.curve).si() <= 1.0 / 8.0, told);
+            VERIFY_TOLD(distance(swath.curve.end().position, swath.end) < 1e-6, told);
+        }
+    }
+    /// An operating width apart, wherever the neighbour goes on; counts the places that were compared.
+    static void compareNeighbours(const SwathSet& set, double widthM, int& compared, const QByteArray& told) {
+        Tracks tracks;
+        for (const Swath& swath : set.swaths) {
+            // The outermost may have been moved back to the edge.
+            if (swath.lane) {
+                tracks[swath.track].push_back(middleLine(swath, metres(0.0005)));
+            }
+        }
+        for (const auto& [track, lines] : tracks) {
+            const auto next = tracks.find(track + 1);
+            if (next == tracks.end()) {
+                continue;
+            }
+            for (const Polyline& line : lines) {
+                for (std::size_t i = 0; i < line.size(); i += 5) {
+                    const auto [awayM, besideMiddle] = neighbourOf(line[i], next->second);
+                    VERIFY_TOLD(awayM > widthM - 0.01, told + " " + QByteArray::number(awayM));
+                    // Not where the neighbour has ended.
+                    if (besideMiddle && awayM < 1.5 * widthM) {
+                        VERIFY_TOLD(awayM < widthM + 0.01, told + " " + QByteArray::number(awayM));
+                        ++compared;
+                    }
+                }
+            }
+        }
+    }
+    static void compareCoverage(const SwathSet& set, const Field& field) {
+        MultiPolygon strips;
+        for (const Swath& swath : set.swaths) {
+            std::ranges::copy(stripsOf(swath), std::back_inserter(strips));
+        }
+        const auto all = unionOf(strips, {}, kSnapGrid);
+        VERIFY_RESULT(all);
+        const auto covered = intersection(*all, field.workable(), {});
+        VERIFY_RESULT(covered);
+        COMPARE_WITHIN(set.coverage, furrow::area(*covered) / furrow::area(field.workable()), 2e-3);
+    }
 
 private slots:
     // 40 m between the arcs, 4 m wide: ten swaths from edge to edge, with one on the curve 38 m inside of the
@@ -262,15 +345,7 @@ private slots:
                 continue;
             }
             const Field& field = *created;
-            const Bounds box = bounds(field.workable());
-            // Gentle: no bend of less than 500 m, so that no parallel within the field is singular.
-            const double headingRad = test::uniform(random, 0.0, kPi);
-            const double bendM = test::uniform(random, 500.0, 2000.0);
-            const Point middle = 0.5 * (box.min + box.max);
-            Polyline points;
-            for (int i = -40; i <= 40; ++i) {
-                points.push_back(middle + bendM * (direction(headingRad + i * 0.01) - direction(headingRad)));
-            }
+            const Polyline points = gentleCurve(random, bounds(field.workable()));
             const auto set =
                 run(kAbCurveMethod, field, machine, {{&kLine, wktOf(field, points)}, {&kLastPass, "gap"}});
             const QByteArray told =
@@ -279,53 +354,18 @@ private slots:
                 QCOMPARE(set.error().code, ErrorCode::InputRefused);
                 continue;
             }
-            const auto around = dilated(field.workable(), metres(0.002), metres(0.001), {});
-            VERIFY_RESULT(around);
-            const PreparedArea area{*around};
-            std::map<int, std::vector<Polyline>> tracks;
-            MultiPolygon strips;
-            for (const Swath& swath : set->swaths) {
-                const Polyline line = middleLine(swath, metres(0.0005));
-                VERIFY_TOLD(area.covers({line}), told);
-                std::ranges::copy(stripsOf(swath), std::back_inserter(strips));
-                VERIFY_TOLD(sharpestBend(swath.curve).si() <= 1.0 / 8.0, told);
-                VERIFY_TOLD(distance(swath.curve.end().position, swath.end) < 1e-6, told);
-                // The outermost may have been moved back to the edge.
-                if (swath.lane) {
-                    tracks[swath.track].push_back(line);
-                }
+            checkSwaths(*set, field, told);
+            if (QTest::currentTestFailed()) {
+                return;
             }
-            for (const auto& [track, lines] : tracks) {
-                const auto next = tracks.find(track + 1);
-                if (next == tracks.end()) {
-                    continue;
-                }
-                for (const Polyline& line : lines) {
-                    for (std::size_t i = 0; i < line.size(); i += 5) {
-                        double awayM = 1e12;
-                        bool besideMiddle = false;
-                        for (const Polyline& other : next->second) {
-                            const double hereM = toLine(line[i], other);
-                            besideMiddle =
-                                hereM < awayM
-                                    ? toLine(line[i], {other.begin() + 1, other.end() - 1}) <= hereM + 1e-9
-                                    : besideMiddle;
-                            awayM = std::min(awayM, hereM);
-                        }
-                        VERIFY_TOLD(awayM > kWidthM - 0.01, told + " " + QByteArray::number(awayM));
-                        // Not where the neighbour has ended.
-                        if (besideMiddle && awayM < 1.5 * kWidthM) {
-                            VERIFY_TOLD(awayM < kWidthM + 0.01, told + " " + QByteArray::number(awayM));
-                            ++compared;
-                        }
-                    }
-                }
+            compareNeighbours(*set, kWidthM, compared, told);
+            if (QTest::currentTestFailed()) {
+                return;
             }
-            const auto all = unionOf(strips, {}, kSnapGrid);
-            VERIFY_RESULT(all);
-            const auto covered = intersection(*all, field.workable(), {});
-            VERIFY_RESULT(covered);
-            COMPARE_WITHIN(set->coverage, furrow::area(*covered) / furrow::area(field.workable()), 2e-3);
+            compareCoverage(*set, field);
+            if (QTest::currentTestFailed()) {
+                return;
+            }
         }
         QVERIFY2(compared > 1000, qPrintable(QString::number(compared)));
     }

@@ -3,6 +3,7 @@
 
 #include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"

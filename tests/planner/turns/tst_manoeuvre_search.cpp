@@ -2,6 +2,7 @@
 
 #include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/prepared_area.h"
 #include "planner/turns/manoeuvre_search.h"
 #include "planner/turns/turn_method.h"
 #include "tests/planner/turns/turn_check.h"

@@ -26,7 +26,7 @@ private slots:
         QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
         editor()->leave();
         key(Qt::Key_Space);
-        QTRY_COMPARE(editor()->draftCount(), 1);
+        QTRY_COMPARE(editor()->sketchCount(), 1);
         enterWay(QStringLiteral("300"), QStringLiteral("90"));
         enterWay(QStringLiteral("200,5"), QStringLiteral("180"));
         enterWay(QStringLiteral("300"), QStringLiteral("270"));

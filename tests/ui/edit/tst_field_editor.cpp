@@ -55,7 +55,7 @@ struct Bench {
         for (const Point point : points) {
             editor.click(at(point, true));
         }
-        editor.finishDraft();
+        editor.finishSketch();
     }
     void click(Point place) {
         editor.hover(at(place));
@@ -310,7 +310,7 @@ private slots:
         bench.editor.click(bench.at({0, 0}, true));
         bench.editor.addPointBy(40.0, 90.0);
         bench.editor.addPointBy(30.0, 180.0);
-        bench.editor.finishDraft();
+        bench.editor.finishSketch();
         const Outline* made = bench.editor.shape()->find({OutlineKind::Obstacle, 0, 0});
         QVERIFY(made != nullptr);
         // Drawn clockwise, kept the other way round.

@@ -80,7 +80,7 @@ private slots:
         editor()->leave();
         camera()->panBy(200.0, 0.0);
         key(Qt::Key_Space);
-        QTRY_COMPARE(editor()->draftCount(), 1);
+        QTRY_COMPARE(editor()->sketchCount(), 1);
         enterWay(QStringLiteral("600"), QStringLiteral("90"));
         map()->forceActiveFocus();
         key(Qt::Key_Return);

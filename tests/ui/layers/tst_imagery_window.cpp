@@ -63,6 +63,86 @@ class TestImageryWindow : public WindowTest {
         return count > 0 ? sum / count : QPointF{-1.0, -1.0};
     }
 
+    /// Of a frame while the map is panned, in processor time of all threads.
+    void printCost(const char* what) {
+        constexpr int kFrames = 40;
+        for (int i = 0; i < 4; ++i) {
+            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, 3.0);
+            QVERIFY(frame.wait());
+        }
+        const std::clock_t begin = std::clock();
+        for (int i = 0; i < kFrames; ++i) {
+            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, i % 4 < 2 ? 3.0 : -3.0);
+            QVERIFY(frame.wait());
+        }
+        qInfo("%-28s %5.1f ms a frame", what,
+              1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kFrames);
+    }
+    /// Of a plan, and what of it which layer.
+    void planCosts() {
+        session_->planning()->machine()->setNumber(0, 2.5);
+        session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
+        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
+        QQuickItem* layers = item(QStringLiteral("layerSwitches"));
+        printCost("64 ha, 2.5 m, everything");
+        for (const char* layer :
+             {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
+            layers->setProperty(layer, false);
+            printCost(qPrintable(QStringLiteral("without %1 too").arg(QLatin1String{layer})));
+        }
+        for (const char* layer :
+             {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
+            layers->setProperty(layer, true);
+        }
+        camera()->centreOn(camera()->center(), 18.5, false);
+        printCost("close, everything");
+    }
+    void imageryCosts(const QString& small) {
+        const QString naip = qEnvironmentVariable(
+            "FURROW_IMAGERY",
+            test::largeData(QStringLiteral("basemap/raster/naip_nd_20140720_5m_4band.tif")));
+        const bool real = QFile::exists(naip);
+        session_->opener()->startNew();
+        session_->opener()->openUrls({QUrl::fromLocalFile(real ? naip : small)});
+        QTRY_COMPARE(session_->imagery()->count(), 1);
+        QTRY_COMPARE(state(), ImageryModel::State::Ready);
+        camera()->centreOn(session_->imagery()->areaOf(0).center(), 15.0, false);
+        QTRY_VERIFY(isDrawn());
+        printCost("imagery alone");
+        QQuickItem* layers = item(QStringLiteral("layerSwitches"));
+        layers->setProperty("imagery", false);
+        printCost("without imagery");
+        layers->setProperty("imagery", true);
+    }
+    /// All of an image, at several zooms.
+    void lookAtAll() {
+        const QGeoRectangle area = session_->imagery()->areaOf(0);
+        for (const double zoom : {15.0, 17.0, 19.0}) {
+            constexpr int kAcross = 12;
+            for (int i = 0; i < kAcross * kAcross; ++i) {
+                const QGeoCoordinate corner = area.bottomLeft();
+                QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+                camera()->centreOn({corner.latitude() + area.height() * (i / kAcross + 0.5) / kAcross,
+                                    corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross},
+                                   zoom, false);
+                QVERIFY(frame.wait());
+            }
+            QTRY_VERIFY(isDrawn());
+        }
+    }
+    static void printMemory() {
+        QFile status{QStringLiteral("/proc/self/status")};
+        if (status.open(QIODevice::ReadOnly)) {
+            for (const QByteArray& line : status.readAll().split('\n')) {
+                if (line.startsWith("VmRSS") || line.startsWith("VmHWM") || line.startsWith("Rss")) {
+                    qInfo("%s", line.simplified().constData());
+                }
+            }
+        }
+    }
+
 private slots:
     void aGeoTiffIsDrawnAtItsPlace() {
         const QTemporaryDir folder;
@@ -210,75 +290,21 @@ private slots:
     /// which layer; and the memory it takes to have seen all of an image (FURROW_IMAGERY names another).
     void whatPanningCosts() {
         const QTemporaryDir folder;
-        QVERIFY(writeMeadow(folder.filePath(QStringLiteral("meadow.tif"))));
-        const auto cost = [this](const char* what) {
-            constexpr int kFrames = 40;
-            for (int i = 0; i < 4; ++i) {
-                QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-                camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, 3.0);
-                QVERIFY(frame.wait());
-            }
-            const std::clock_t begin = std::clock();
-            for (int i = 0; i < kFrames; ++i) {
-                QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-                camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, i % 4 < 2 ? 3.0 : -3.0);
-                QVERIFY(frame.wait());
-            }
-            qInfo("%-28s %5.1f ms a frame", what,
-                  1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kFrames);
-        };
-        session_->planning()->machine()->setNumber(0, 2.5);
-        session_->opener()->addDrawn({{58.25, 22.5}, {58.25, 22.5136}, {58.2572, 22.5136}, {58.2572, 22.5}});
-        QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
-        QQuickItem* layers = item(QStringLiteral("layerSwitches"));
-        cost("64 ha, 2.5 m, everything");
-        for (const char* layer :
-             {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
-            layers->setProperty(layer, false);
-            cost(qPrintable(QStringLiteral("without %1 too").arg(QLatin1String{layer})));
+        const QString small = folder.filePath(QStringLiteral("meadow.tif"));
+        QVERIFY(writeMeadow(small));
+        planCosts();
+        if (QTest::currentTestFailed()) {
+            return;
         }
-        for (const char* layer :
-             {"numbers", "directions", "findings", "turns", "swaths", "headland", "boundary"}) {
-            layers->setProperty(layer, true);
+        imageryCosts(small);
+        if (QTest::currentTestFailed()) {
+            return;
         }
-        camera()->centreOn(camera()->center(), 18.5, false);
-        cost("close, everything");
-        const QString naip = qEnvironmentVariable(
-            "FURROW_IMAGERY",
-            test::largeData(QStringLiteral("basemap/raster/naip_nd_20140720_5m_4band.tif")));
-        const bool real = QFile::exists(naip);
-        session_->opener()->startNew();
-        session_->opener()->openUrls(
-            {QUrl::fromLocalFile(real ? naip : folder.filePath(QStringLiteral("meadow.tif")))});
-        QTRY_COMPARE(session_->imagery()->count(), 1);
-        QTRY_COMPARE(state(), ImageryModel::State::Ready);
-        camera()->centreOn(session_->imagery()->areaOf(0).center(), 15.0, false);
-        QTRY_VERIFY(isDrawn());
-        cost("imagery alone");
-        layers->setProperty("imagery", false);
-        cost("without imagery");
-        layers->setProperty("imagery", true);
-        const QGeoRectangle area = session_->imagery()->areaOf(0);
-        for (const double zoom : {15.0, 17.0, 19.0}) {
-            constexpr int kAcross = 12;
-            for (int i = 0; i < kAcross * kAcross; ++i) {
-                const QGeoCoordinate corner = area.bottomLeft();
-                QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-                camera()->centreOn({corner.latitude() + area.height() * (i / kAcross + 0.5) / kAcross,
-                                    corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross},
-                                   zoom, false);
-                QVERIFY(frame.wait());
-            }
-            QTRY_VERIFY(isDrawn());
+        lookAtAll();
+        if (QTest::currentTestFailed()) {
+            return;
         }
-        QFile status{QStringLiteral("/proc/self/status")};
-        if (status.open(QIODevice::ReadOnly)) {
-            for (const QByteArray& line : status.readAll().split('\n')) {
-                if (line.startsWith("VmRSS") || line.startsWith("VmHWM") || line.startsWith("Rss")) {
-                    qInfo("%s", line.simplified().constData());
-                }
-            }
-        }
+        printMemory();
     }
 };
 

@@ -79,30 +79,38 @@ class TestCellsWindow : public EditorWindowTest {
         waitForRest(*item(QStringLiteral("cells.show")));
     }
 
-private slots:
-    void theStepsAreGoneThrough_data() {
-        QTest::addColumn<int>("colours");
-        QTest::newRow("light") << 1;
-        QTest::newRow("dark") << 2;
+    const DecompositionHistory& history() const { return session_->shown()->plan()->cells.history; }
+    int stepCount() const { return static_cast<int>(history().steps.size()); }
+    QString cellsAfter(int step) const {
+        return QStringLiteral("%1 cells").arg(history().steps[static_cast<std::size_t>(step)].cells);
     }
-    void theStepsAreGoneThrough() {
-        QFETCH(int, colours);
-        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
-        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
-        openPonds("merged");
-        const DecompositionHistory& history = session_->shown()->plan()->cells.history;
-        const int count = static_cast<int>(history.steps.size());
+    /// The first step that saves something: what has no swath goes to a neighbour before anything is joined.
+    int firstJoin() const {
+        const auto& all = history().steps;
+        int first = 1;
+        while (first < stepCount() &&
+               !(all[static_cast<std::size_t>(first)].cost < all[static_cast<std::size_t>(first) - 1].cost)) {
+            ++first;
+        }
+        return first;
+    }
+    static QString pictureName(const char* what) {
+        return QStringLiteral("cells%1_%2").arg(QLatin1String{what}, QLatin1String{QTest::currentDataTag()});
+    }
+
+    void summaryIsTold() {
+        const int count = stepCount();
         QVERIFY(count >= 3);
-        const auto cellsAfter = [&](int step) {
-            return QStringLiteral("%1 cells").arg(history.steps[static_cast<std::size_t>(step)].cells);
-        };
         openStep();
         QVERIFY(text("cells.summary").startsWith(QStringLiteral("Cut: ") + cellsAfter(0)));
         QVERIFY(text("cells.summary").contains(QStringLiteral("joined: ") + cellsAfter(count - 1)));
         QVERIFY(!item(QStringLiteral("cellLayer"))->isVisible());
-        picture(QStringLiteral("cells1_summary_%1").arg(QLatin1String{QTest::currentDataTag()}));
-
-        // With the mouse: as cut, then on to the last one.
+        picture(pictureName("1_summary"));
+    }
+    /// As cut, then on to the first join.
+    void goneThroughByMouse() {
+        const int count = stepCount();
+        const int first = firstJoin();
         click(QStringLiteral("cells.show"));
         QTRY_VERIFY(item(QStringLiteral("cellLayer"))->isVisible());
         QCOMPARE(
@@ -111,14 +119,8 @@ private slots:
                 text("cells.summary").section(QStringLiteral(": "), 1).section(QStringLiteral(" →"), 0, 0));
         QCOMPARE(text("cells.join"), QStringLiteral("As cut."));
         QVERIFY(drawn() != nullptr && drawn()->joined.empty());
-        picture(QStringLiteral("cells2_cut_%1").arg(QLatin1String{QTest::currentDataTag()}));
+        picture(pictureName("2_cut"));
         QVERIFY(!item(QStringLiteral("cells.previous"))->isEnabled());
-        // What has no swath goes to a neighbour before anything is joined.
-        int first = 1;
-        while (first < count && !(history.steps[static_cast<std::size_t>(first)].cost <
-                                  history.steps[static_cast<std::size_t>(first) - 1].cost)) {
-            ++first;
-        }
         QVERIFY(first + 1 < count);
         for (int step = 1; step <= first; ++step) {
             click(QStringLiteral("cells.next"));
@@ -128,9 +130,12 @@ private slots:
         QVERIFY(
             text("cells.join").startsWith(QStringLiteral("The two marked cells become one: that saves ")));
         QVERIFY(!drawn()->joined.empty());
-        picture(QStringLiteral("cells3_joined_%1").arg(QLatin1String{QTest::currentDataTag()}));
-
-        // With keys: the slider, the buttons, and Escape.
+        picture(pictureName("3_joined"));
+    }
+    /// The slider, the buttons, and Escape.
+    void goneThroughByKeys() {
+        const int count = stepCount();
+        const int first = firstJoin();
         item(QStringLiteral("cells.slider"))->forceActiveFocus(Qt::TabFocusReason);
         key(Qt::Key_Right);
         QCOMPARE(cells().current(), first + 1);
@@ -140,7 +145,7 @@ private slots:
         QCOMPARE(cells().current(), count - 1);
         QVERIFY(text("cells.current").contains(cellsAfter(count - 1)));
         QVERIFY(!item(QStringLiteral("cells.next"))->isEnabled());
-        picture(QStringLiteral("cells4_last_%1").arg(QLatin1String{QTest::currentDataTag()}));
+        picture(pictureName("4_last"));
         key(Qt::Key_Backtab);
         QVERIFY(item(QStringLiteral("cells.previous"))->hasActiveFocus());
         key(Qt::Key_Space);
@@ -149,8 +154,9 @@ private slots:
         QCOMPARE(cells().current(), -1);
         QTRY_VERIFY(!item(QStringLiteral("cellLayer"))->isVisible());
         QVERIFY(item(QStringLiteral("cells.show"))->hasActiveFocus());
-
-        // The keyboard begins again; another plan, and closing the step, show the plan.
+    }
+    /// The keyboard begins again; another plan, and closing the step, show the plan.
+    void left() {
         key(Qt::Key_Space);
         QCOMPARE(cells().current(), 0);
         session_->planning()->planAgain();
@@ -163,6 +169,32 @@ private slots:
         click(QStringLiteral("cells.show"));
         click(QStringLiteral("step.decomposition"));
         QTRY_COMPARE(cells().current(), -1);
+    }
+
+private slots:
+    void theStepsAreGoneThrough_data() {
+        QTest::addColumn<int>("colours");
+        QTest::newRow("light") << 1;
+        QTest::newRow("dark") << 2;
+    }
+    void theStepsAreGoneThrough() {
+        QFETCH(int, colours);
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
+        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
+        openPonds("merged");
+        summaryIsTold();
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        goneThroughByMouse();
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        goneThroughByKeys();
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        left();
     }
 
     // Cells that are not joined can be looked at all the same.

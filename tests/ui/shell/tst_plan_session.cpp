@@ -2,22 +2,18 @@
 #include "planner/project/project_edits.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/shell/drawn_boundary.h"
 #include "ui/shell/session.h"
 
 #include <QAbstractItemModelTester>
-#include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace furrow;
+using test::drawnRectangle;
 
 namespace {
-
-// Plans take seconds where the machine has other things to do.
-QList<QGeoCoordinate> rectangle() {
-    return {{58.25, 22.5}, {58.25, 22.507}, {58.2535, 22.507}, {58.2535, 22.5}};
-}
 
 int rowOf(const ParameterModel& model, const QString& key) {
     for (int row = 0; row < model.rowCount(); ++row) {
@@ -53,25 +49,9 @@ void moveVertex(Session& session, std::size_t vertex, const QGeoCoordinate& plac
                                finished ? Document::Follows::Nothing : Document::Follows::More);
 }
 
-QString twoFields() {
-    return QStringLiteral(R"({"type": "FeatureCollection", "features": [
-        {"type": "Feature", "properties": {"id": "a", "name": "North"}, "geometry": {"type": "Polygon", "coordinates":
-          [[[22.5, 58.25], [22.505, 58.25], [22.505, 58.252], [22.5, 58.252], [22.5, 58.25]]]}},
-        {"type": "Feature", "properties": {"id": "b", "name": "South"}, "geometry": {"type": "Polygon", "coordinates":
-          [[[22.5, 58.24], [22.503, 58.24], [22.503, 58.242], [22.5, 58.242], [22.5, 58.24]]]}}]})");
-}
-
-QString written(const QTemporaryDir& folder, const QString& name, const QString& text) {
-    const QString path = folder.filePath(name);
-    QFile file{path};
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0) {
-        qFatal("the test file cannot be written");
-    }
-    return path;
-}
-
 }  // namespace
 
+/// The plan follows what is drawn, chosen and dragged.
 class TestPlanSession : public QObject {
     Q_OBJECT
 
@@ -89,7 +69,7 @@ private slots:
             parameters.push_back(std::make_unique<QAbstractItemModelTester>(
                 session.planning()->steps()->parameters(QLatin1String{step})));
         }
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setChoice(rowOf(*headland, QStringLiteral("headland.method")),
@@ -109,7 +89,7 @@ private slots:
     void plansADrawnBoundary() {
         Session session;
         QSignalSpy opened{session.planning(), &Planning::fieldOpened};
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QCOMPARE(session.planning()->state(), PlanState::Planning);
         // It is shown at once, whatever the plan takes.
         QCOMPARE(opened.count(), 1);
@@ -129,7 +109,7 @@ private slots:
     }
     void aNumberChangesThePlan() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         const QString width = QStringLiteral("headland.width_m");
@@ -161,7 +141,7 @@ private slots:
         QFETCH(double, bearing);
         QFETCH(double, degreesFromEast);
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
         swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")), methodIndex("swaths", "fixed"));
         const int row = rowOf(*swaths, QStringLiteral("swaths.angle_deg"));
@@ -200,7 +180,7 @@ private slots:
     }
     void aDraggedVertexIsFollowed() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         const double before = session.shown()->plan()->field().area().si();
         for (int i = 1; i <= 30; ++i) {
@@ -216,7 +196,7 @@ private slots:
     }
     void aDragShowsDraftsAndTheWholePlanWhenItIsLetGo() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QVERIFY(!session.shown()->isDraft());
         const double heading = session.shown()->plan()->swaths.heading.si();
@@ -252,66 +232,9 @@ private slots:
         moveVertex(session, 2, {58.2535, 22.507}, true);
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
     }
-    void aFileWithSeveralFieldsAsks() {
-        const QTemporaryDir folder;
-        Session session;
-        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Choosing, kPatienceMs);
-        QCOMPARE(session.opener()->choices()->rowCount(), 2);
-        session.opener()->chooseField(1);
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
-        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()),
-                               QStringLiteral("a"));
-        QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fieldName(), QStringLiteral("North"), kPatienceMs);
-    }
-    void allOfThemCanBeOpened() {
-        const QTemporaryDir folder;
-        Session session;
-        session.opener()->open(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Choosing, kPatienceMs);
-        session.opener()->chooseAll();
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        QCOMPARE(session.farm()->fields().size(), 2);
-        QCOMPARE(session.farm()->fieldName(), QStringLiteral("North"));
-        QSignalSpy opened{session.planning(), &Planning::fieldOpened};
-        session.farm()->setCurrentField(1);
-        QCOMPARE(session.farm()->fieldName(), QStringLiteral("South"));
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
-        session.document()->undo();
-        QVERIFY(!session.farm()->hasField());
-    }
-    void severalFilesAreOpenedAtOnce() {
-        const QTemporaryDir folder;
-        Session session;
-        Project farm = withFields(
-            Project::empty(),
-            {FieldSource{
-                .id = "1",
-                .name = "Barn",
-                .origin = {},
-                .parts = {{.outer = {{22.5, 58.25}, {22.507, 58.25}, {22.507, 58.2535}}, .holes = {}}},
-                .obstacles = {},
-                .gates = {},
-                .boundaryAccuracy = {},
-                .repairs = {}}});
-        const QString project = folder.filePath(QStringLiteral("farm.furrow"));
-        QVERIFY(writeProject(farm, project.toStdU16String()).has_value());
-        const QUrl boundaries =
-            QUrl::fromLocalFile(written(folder, QStringLiteral("two.geojson"), twoFields()));
-        QVERIFY(session.opener()->isProjectFile(QUrl::fromLocalFile(project)));
-        QVERIFY(!session.opener()->isProjectFile(boundaries));
-        session.opener()->openUrls({boundaries, QUrl::fromLocalFile(project)});
-        QTRY_COMPARE_WITH_TIMEOUT(session.farm()->fields().size(), 3, kPatienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        QCOMPARE(session.files()->name(), QStringLiteral("farm"));
-        QCOMPARE(session.recent()->count(), 1);
-        QVERIFY2(session.document()->isModified(), "the boundaries are not in the file yet");
-        QVERIFY(session.farm()->fields().front().startsWith(QStringLiteral("Barn")));
-    }
     void eachPlanHasItsMachine() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.farm()->addPlan(QStringLiteral("Harvest"));
         session.planning()->machine()->setLibraryIndex(4);
@@ -327,54 +250,9 @@ private slots:
         QCOMPARE(session.farm()->plans().size(), 1);
         QCOMPARE(session.planning()->machine()->libraryIndex(), 4);
     }
-    void recentFilesAreKept() {
-        const QTemporaryDir folder;
-        const QString list = folder.filePath(QStringLiteral("recent.json"));
-        {
-            RecentFiles recent;
-            QAbstractItemModelTester tester{&recent};
-            recent.keepIn(list);
-            for (int i = 0; i < 12; ++i) {
-                recent.add(written(folder, QStringLiteral("%1.furrow").arg(i), QStringLiteral("x")),
-                           Project::empty());
-            }
-            recent.add(folder.filePath(QStringLiteral("5.furrow")), Project::empty());
-            QCOMPARE(recent.count(), 10);
-        }
-        QVERIFY(QFile::remove(folder.filePath(QStringLiteral("11.furrow"))));
-        RecentFiles recent;
-        recent.keepIn(list);
-        QCOMPARE(recent.count(), 9);
-        QCOMPARE(recent.data(recent.index(0), RecentFiles::NameRole).toString(), QStringLiteral("5"));
-    }
-    void anUnreadableFileIsTold() {
-        Session session;
-        session.opener()->open(QStringLiteral("/nowhere/field.geojson"));
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Failed, kPatienceMs);
-        QVERIFY(!session.problem()->text().isEmpty());
-        QVERIFY(!session.farm()->hasField());
-    }
-    void sampleFieldsOpen_data() {
-        QTest::addColumn<int>("index");
-        Session session;
-        for (int i = 0; i < session.opener()->sampleNames().size(); ++i) {
-            QTest::newRow(qPrintable(session.opener()->sampleNames().at(i))) << i;
-        }
-    }
-    void sampleFieldsOpen() {
-        QFETCH(int, index);
-        Session session;
-        session.opener()->openSample(index);
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
-        QCOMPARE(session.farm()->fieldName(), session.opener()->sampleNames().at(index));
-        session.findings()->setAll(true);
-        QCOMPARE(session.findings()->rowCount(), static_cast<int>(session.shown()->plan()->findings.size()));
-        session.findings()->setAll(false);
-        QVERIFY(session.findings()->rowCount() <= session.findings()->few());
-    }
     void anotherMachineGivesAnotherPlan() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         const std::size_t swaths = session.shown()->plan()->swaths.swaths.size();
         for (int row = 0; row < session.planning()->machine()->rowCount(); ++row) {
@@ -391,24 +269,9 @@ private slots:
         QVERIFY(!session.planning()->machine()->isChanged());
         QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->swaths.swaths.size(), swaths, kPatienceMs);
     }
-    void exportWritesAFolder() {
-        const QTemporaryDir folder;
-        Session session;
-        session.opener()->addDrawn(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        const QString target = folder.filePath(QStringLiteral("plan one"));
-        session.exporter()->writeTo(target);
-        QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Done, kPatienceMs);
-        QVERIFY(QFile::exists(target + QStringLiteral("/summary.json")));
-        QVERIFY(QFile::exists(target + QStringLiteral("/plan.geojson")));
-        // A folder cannot be made below a file.
-        session.exporter()->writeTo(target + QStringLiteral("/summary.json/below"));
-        QTRY_COMPARE_WITH_TIMEOUT(session.exporter()->state(), ExportModel::State::Failed, kPatienceMs);
-        QVERIFY(!session.exporter()->message().isEmpty());
-    }
     void whatIsPlannedAlreadyIsNotPlannedAgain() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         const auto before = session.shown()->plan();
         session.planning()->machine()->setLibraryIndex(3);
@@ -427,7 +290,7 @@ private slots:
     }
     void anotherPlanOfTheFieldIsNotTheOneThatIsShown() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.farm()->addPlan(QStringLiteral("Harvest"));
         // A copy asks for the same.
@@ -442,35 +305,9 @@ private slots:
         QVERIFY(!session.exporter()->refusal().isEmpty());
         QCOMPARE(session.exporter()->heading(), QString{});
     }
-    void aFileThatCannotBeReadLeavesThePlan() {
-        Session session;
-        session.opener()->addDrawn(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        session.opener()->open(QStringLiteral("/nowhere/field.geojson"));
-        QCOMPARE(session.planning()->state(), PlanState::Reading);
-        QVERIFY(!session.exporter()->refusal().isEmpty());
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        QVERIFY(!session.problem()->text().isEmpty());
-        QVERIFY(session.exporter()->refusal().isEmpty());
-        session.problem()->dismiss();
-        QVERIFY(session.problem()->text().isEmpty());
-    }
-    void aWriteOfAPlanThatBecameAnotherIsStopped() {
-        const QTemporaryDir folder;
-        Session session;
-        session.opener()->addDrawn(rectangle());
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        session.exporter()->writeTo(folder.filePath(QStringLiteral("out")));
-        QCOMPARE(session.exporter()->state(), ExportModel::State::Writing);
-        session.planning()->machine()->setLibraryIndex(3);
-        QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
-        QVERIFY(!session.exporter()->message().isEmpty());
-        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
-        QCOMPARE(session.exporter()->state(), ExportModel::State::Failed);
-    }
     void askedForAgainIsPlanning() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         session.planning()->planAgain();
         QCOMPARE(session.planning()->state(), PlanState::Planning);
@@ -493,7 +330,7 @@ private slots:
         QFETCH(FindingKind, kind);
         QFETCH(QString, step);
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         Plan plan = *session.shown()->plan();
         plan.findings = {{.severity = Severity::Blocking,
@@ -528,7 +365,7 @@ private slots:
     }
     void cancelKeepsThePlanBefore() {
         Session session;
-        session.opener()->addDrawn(rectangle());
+        session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         const auto before = session.shown()->plan();
         ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));

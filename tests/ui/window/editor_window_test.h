@@ -56,16 +56,16 @@ protected:
     }
     /// The next point of what is drawn, by numbers.
     void enterWay(const QString& length, const QString& bearing) {
-        const int before = editor()->draftCount();
-        item(QStringLiteral("draft.length"))->forceActiveFocus(Qt::TabFocusReason);
+        const int before = editor()->sketchCount();
+        item(QStringLiteral("sketch.length"))->forceActiveFocus(Qt::TabFocusReason);
         key(Qt::Key_A, Qt::ControlModifier);
         type(length);
         key(Qt::Key_Tab);
-        QTRY_VERIFY(item(QStringLiteral("draft.bearing"))->hasActiveFocus());
+        QTRY_VERIFY(item(QStringLiteral("sketch.bearing"))->hasActiveFocus());
         key(Qt::Key_A, Qt::ControlModifier);
         type(bearing);
         key(Qt::Key_Return);
-        QTRY_COMPARE(editor()->draftCount(), before + 1);
+        QTRY_COMPARE(editor()->sketchCount(), before + 1);
     }
     bool shows(const QString& name) const { return item(name) != nullptr && item(name)->isVisible(); }
 };

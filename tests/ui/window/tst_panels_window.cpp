@@ -44,37 +44,8 @@ class TestPanelsWindow : public EditorWindowTest {
         QVERIFY2(QRectF(0.0, 0.0, window_->width(), window_->height()).contains(place), name);
     }
 
-private slots:
-    void panels_data() {
-        QTest::addColumn<QSize>("size");
-        QTest::addColumn<int>("colours");
-        QTest::addColumn<QString>("language");
-        const auto row = [](const char* name, QSize size, int colours, const char* language = "en") {
-            QTest::newRow(name) << size << colours << QString::fromLatin1(language);
-        };
-        row("1000-dark", {1000, 700}, 2);
-        if (!qEnvironmentVariableIsSet("FURROW_PICTURES")) {
-            return;
-        }
-        row("1000-light-de", {1000, 700}, 1, "de");
-        row("1000-sunlight-fr", {1000, 700}, 3, "fr");
-        row("1440-dark", {1440, 900}, 2);
-        row("1440-light", {1440, 900}, 1);
-        row("1920-sunlight", {1920, 1200}, 3);
-    }
-    void panels() {
-        QFETCH(QSize, size);
-        QFETCH(int, colours);
-        QFETCH(QString, language);
-        name_ = QString::fromUtf8(QTest::currentDataTag());
-        furrow::Display::instance().force(language, furrow::Display::Metric);
-        end();
-        begin(size);
-        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
-        DRAW_FIELD();
-
-        // Three layers: a picture, heights, and one whose file is gone; and something that is none.
-        const QTemporaryDir folder;
+    /// Three layers: a picture, heights, and one whose file is gone.
+    void layersPanel(const QTemporaryDir& folder) {
         const auto raster = [&folder](const char* name, int bands, GDALDataType type,
                                       const std::function<double(int, int, int)>& value) {
             return writeTiff(folder.filePath(QLatin1String{name}),
@@ -105,6 +76,9 @@ private slots:
         QTRY_VERIFY(session_->imagery()->store().isIdle());
         isInside("layersPanel");
         shot("layers");
+    }
+    /// Something that is no layer.
+    void imageryNotice(const QTemporaryDir& folder) {
         QFile file{folder.filePath(QStringLiteral("broken.mbtiles"))};
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no tiles") > 0);
         file.close();
@@ -114,22 +88,25 @@ private slots:
         shot("imagery-notice");
         session_->imagery()->dismiss();
         key(Qt::Key_L, Qt::ControlModifier);
-
+    }
+    void dialogs() {
         dialog("command.keys", "keysDialog");
         dialog("command.preferences", "preferencesDialog");
         dialog("command.palette", "commandPalette");
         dialog("command.addPlan", "nameDialog");
         dialog("command.export", "exportDialog");
         dialog("command.new", "unsavedDialog");
-
-        // A boundary that cannot be planned with.
+    }
+    /// A boundary that cannot be planned with.
+    void problemCard() {
         session_->opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
         QTRY_VERIFY(shows(QStringLiteral("problemCard")));
         isInside("problemCard");
         shot("problem");
         key(Qt::Key_Z, Qt::ControlModifier);
         ready();
-
+    }
+    void tour() {
         QVERIFY(QMetaObject::invokeMethod(found("command.tour"), "trigger"));
         for (int page = 1; page <= 6; ++page) {
             QTRY_VERIFY(shows(QStringLiteral("tour.card")));
@@ -138,6 +115,57 @@ private slots:
                 shot(page == 1 ? "tour-1" : "tour-4");
             }
             click(QStringLiteral("tour.next"));
+        }
+    }
+
+private slots:
+    void panels_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("colours");
+        QTest::addColumn<QString>("language");
+        const auto row = [](const char* name, QSize size, int colours, const char* language = "en") {
+            QTest::newRow(name) << size << colours << QString::fromLatin1(language);
+        };
+        row("1000-dark", {1000, 700}, 2);
+        if (!qEnvironmentVariableIsSet("FURROW_PICTURES")) {
+            return;
+        }
+        row("1000-light-de", {1000, 700}, 1, "de");
+        row("1000-sunlight-fr", {1000, 700}, 3, "fr");
+        row("1440-dark", {1440, 900}, 2);
+        row("1440-light", {1440, 900}, 1);
+        row("1920-sunlight", {1920, 1200}, 3);
+    }
+    void panels() {
+        QFETCH(QSize, size);
+        QFETCH(int, colours);
+        QFETCH(QString, language);
+        name_ = QString::fromUtf8(QTest::currentDataTag());
+        furrow::Display::instance().force(language, furrow::Display::Metric);
+        end();
+        begin(size);
+        engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme")->setProperty("forced", colours);
+        DRAW_FIELD();
+        const QTemporaryDir folder;
+        layersPanel(folder);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        imageryNotice(folder);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        dialogs();
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        problemCard();
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        tour();
+        if (QTest::currentTestFailed()) {
+            return;
         }
         furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
     }

@@ -63,7 +63,7 @@ private slots:
     void escapeGivesDrawingUp() {
         click(QStringLiteral("drawTool"));
         QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*map()) + QPoint{-300, 250});
-        QTRY_COMPARE(editor()->draftCount(), 1);
+        QTRY_COMPARE(editor()->sketchCount(), 1);
         QTest::keyClick(window_, Qt::Key_Escape);
         QTRY_VERIFY(!item(QStringLiteral("drawingHint"))->isVisible());
         QVERIFY(!session_->farm()->hasField());

@@ -6,6 +6,7 @@
 #include "planner/io/content/obstacle_shapes.h"
 #include "planner/io/content/vector_attributes.h"
 #include "planner/io/formats/csv/table_fields.h"
+#include "planner/io/formats/vector/ring_closing.h"
 #include "planner/io/formats/vector/vector_file.h"
 
 #include <algorithm>
@@ -28,9 +29,6 @@ constexpr std::string_view kKinds[] = {
 constexpr std::pair<std::string_view, std::string_view> kDrawingLayers[] = {
     {"boundary", "field"},    {"field", "field"},    {"hole", "hole"}, {"obstacle", "obstacle"},
     {"headland", "mainland"}, {"swath", "guidance"}, {"path", "path"}};
-
-// A track that comes back to within this share of its length was driven round something.
-constexpr double kRoundTripShare = 0.05;
 
 /// A length attribute of an obstacle or gate, 0 where there is none.
 Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, const std::string& where) {
@@ -74,18 +72,6 @@ double distanceDeg(const FieldSource& field, GeoPoint point) {
         std::ranges::for_each(part.holes, visit);
     }
     return nearest;
-}
-
-/// What is said of rings that a file left open; they are closed as they are read.
-std::optional<Note> noteOfOpenRings(const VectorFeature& feature, Message where) {
-    const std::size_t count = feature.openRings.size();
-    if (count == 0) {
-        return std::nullopt;
-    }
-    return Note{.text = counted("{} ring did not end where it began and was closed",
-                                "{} rings did not end where they began and were closed", count),
-                .where = std::move(where),
-                .place = feature.openRings.front()};
 }
 
 /// One is never left out: what cannot be read is refused.
@@ -264,37 +250,6 @@ Result<void> addHole(VectorFeature& feature, std::vector<FieldContent>& fields, 
         add(polygon.outer);
     }
     return {};
-}
-
-/// Closed lines count as areas in drawings and where nothing better is there.
-void closeLines(VectorFeature& feature) {
-    for (GeoRing& line : feature.closedLines) {
-        feature.polygons.push_back({.outer = std::move(line), .holes = {}});
-    }
-    feature.closedLines.clear();
-}
-
-double lengthM(const GeoRing& line) {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        sum += roughDistanceM(line[i - 1], line[i]);
-    }
-    return sum;
-}
-
-/// Recorded tracks that went round something and stopped shortly before they were there again.
-void closeTracks(VectorFeature& feature, std::vector<Note>& notes, const std::string& name) {
-    constexpr std::size_t kFewestPoints = 8;
-    std::erase_if(feature.openLines, [&](GeoRing& line) {
-        const double gap = line.size() < kFewestPoints ? 0.0 : roughDistanceM(line.front(), line.back());
-        if (line.size() < kFewestPoints || gap > kRoundTripShare * lengthM(line)) {
-            return false;
-        }
-        notes.push_back(
-            {message("a track that ended {:.1f} m from where it began was closed", gap), name, line.front()});
-        feature.polygons.push_back({.outer = std::move(line), .holes = {}});
-        return true;
-    });
 }
 
 std::string kindOf(const VectorFeature& feature, bool isPlan) {

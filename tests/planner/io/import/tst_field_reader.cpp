@@ -41,25 +41,19 @@ std::string pattern(const std::string& attributes, const std::string& points) {
            "</LSG></GPN></GGP>";
 }
 
+/// What is read of a field in task data.
+void row(const char* name, const std::string& xml, int parts, int holes = 0, int obstacles = 0, int lines = 0,
+         int notes = 0) {
+    QTest::newRow(name) << QByteArray::fromStdString(xml) << parts << holes << obstacles << lines << notes;
+}
+
 }  // namespace
 
 /// What real files do that no schema allows, and what files made to do harm do.
 class FieldReaderTest : public QObject {
     Q_OBJECT
 
-private slots:
-    void readsTaskData_data() {
-        QTest::addColumn<QByteArray>("xml");
-        QTest::addColumn<int>("parts");
-        QTest::addColumn<int>("holes");
-        QTest::addColumn<int>("obstacles");
-        QTest::addColumn<int>("lines");
-        QTest::addColumn<int>("notes");
-        const auto row = [](const char* name, const std::string& xml, int parts, int holes = 0,
-                            int obstacles = 0, int lines = 0, int notes = 0) {
-            QTest::newRow(name) << QByteArray::fromStdString(xml) << parts << holes << obstacles << lines
-                                << notes;
-        };
+    static void addRings() {
         row("ring not closed", taskData(field(boundary())), 1);
         row("ring closed", taskData(field(boundary(kRing + R"(<PNT A="2" C="52.0" D="9.0"/>)"))), 1);
         row("ring closed twice",
@@ -82,6 +76,8 @@ private slots:
             1);
         row("proprietary attributes",
             taskData(R"(<PFD A="PFD1" C="x" D="0" P094_Thing="1">)" + boundary() + "</PFD>"), 1);
+    }
+    static void addHolesAndObstacles() {
         row("hole as inner ring",
             taskData(field(R"(<PLN A="1"><LSG A="1">)" + kRing + "</LSG>" + kHole + "</PLN>")), 1, 1);
         row("hole as obstacle",
@@ -100,6 +96,8 @@ private slots:
                 R"(</LSG><LSG A="1"><PNT A="2" C="52.0" D="9.005"/><PNT A="2" C="52.0" D="9.006"/><PNT A="2" C="52.001" D="9.006"/></LSG></PLN>)")),
             2);
         row("main field instead of boundary", taskData(field(boundary(kRing, "9"))), 1);
+    }
+    static void addGuidance() {
         row("boundary in the guidance group only",
             taskData(field(R"(<GGP A="GGP1">)" + boundary() + "</GGP>")), 1, 0, 0, 0, 1);
         row("guidance in version 3",
@@ -132,6 +130,19 @@ private slots:
             1, 0, 0, 0, 2);
         row("a field without boundary beside one with",
             taskData(field(boundary()) + R"(<PFD A="PFD2" C="South" D="0"/>)"), 1, 0, 0, 0, 1);
+    }
+
+private slots:
+    void readsTaskData_data() {
+        QTest::addColumn<QByteArray>("xml");
+        QTest::addColumn<int>("parts");
+        QTest::addColumn<int>("holes");
+        QTest::addColumn<int>("obstacles");
+        QTest::addColumn<int>("lines");
+        QTest::addColumn<int>("notes");
+        addRings();
+        addHolesAndObstacles();
+        addGuidance();
     }
 
     void readsTaskData() {

@@ -63,20 +63,24 @@ void TestRefusedBoundaries::passesNotFiniteOn() {
     QVERIFY(!std::isfinite(ring[1].lonDeg));
 }
 
-void TestRefusedBoundaries::refuses_data() {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<bool>("unreadable");
-    QTest::addColumn<QString>("message");
-    const auto row = [](const char* name, const char* file, const QByteArray& content, bool unreadable,
-                        const char* message) {
-        QTest::newRow(name) << QString::fromUtf8(file) << content << unreadable << QString::fromUtf8(message);
-    };
+namespace {
+
+void row(const char* name, const char* file, const QByteArray& content, bool unreadable,
+         const char* message) {
+    QTest::newRow(name) << QString::fromUtf8(file) << content << unreadable << QString::fromUtf8(message);
+}
+
+void addWhatIsNoBoundaryFile() {
     row("empty file", "f.geojson", "", false, "f.geojson: the file is empty");
     row("blanks only", "f.geojson", "   \n", true, "no boundary");
     row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true,
         "the picture cannot be read");
     row("shapefile in name only", "f.shp", "POINT and nothing else", true, "f.shp");
+    row("zip of nothing", "f.zip", QByteArray{"PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22}, true,
+        "f.zip");
+}
+
+void addGeoJson() {
     row("GeoJSON cut off", "f.geojson",
         R"({"type":"Polygon",)"
         "\n"
@@ -98,6 +102,20 @@ void TestRefusedBoundaries::refuses_data() {
         false, "only 3 points");
     row("no features", "f.geojson", R"({"type":"FeatureCollection","features":[]})", false,
         "there is no field boundary in it;");
+    row("obstacle far from every field", "f.geojson",
+        R"({"type":"FeatureCollection","features":[)"
+        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
+        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[8,52],[8.1,52],[8,52.1],[8,52]]]}},)"
+        R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon"},"geometry":{"type":"Polygon","coordinates":[[[1,52],[1.1,52],[1,52.1],[1,52]]]}}]})",
+        false, "obstacle Pylon: it lies in none of the 2 fields");
+    row("buffer that is no length", "f.geojson",
+        R"({"type":"FeatureCollection","features":[)"
+        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
+        R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon","buffer_m":-1},"geometry":{"type":"Polygon","coordinates":[[[9.01,52.01],[9.02,52.01],[9.01,52.02],[9.01,52.01]]]}}]})",
+        false, "buffer_m: '-1' is no length");
+}
+
+void addTexts() {
     row("broken well-known text", "f.wkt", "POLYGON((9 52, 9.1 52, 9 52.1, 9 52))\nPOLYGON((9 52, 9.1", false,
         "f.wkt, line 2, column 1: this is not well-known text");
     row("metres without a system", "f.wkt", "POLYGON((500000 5761000, 500100 5761000, 500000 5761100))",
@@ -112,19 +130,18 @@ void TestRefusedBoundaries::refuses_data() {
         "f.csv, row 1");
     row("table with broken well-known text", "f.csv",
         "WKT,name\n\"POLYGON((9 52, 9.1 52, 9 52.1, 9 52))\",A\nPOLYGON(9),B\n", false, "f.csv, row 2");
-    row("obstacle far from every field", "f.geojson",
-        R"({"type":"FeatureCollection","features":[)"
-        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
-        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[8,52],[8.1,52],[8,52.1],[8,52]]]}},)"
-        R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon"},"geometry":{"type":"Polygon","coordinates":[[[1,52],[1.1,52],[1,52.1],[1,52]]]}}]})",
-        false, "obstacle Pylon: it lies in none of the 2 fields");
-    row("buffer that is no length", "f.geojson",
-        R"({"type":"FeatureCollection","features":[)"
-        R"({"type":"Feature","properties":{"kind":"field"},"geometry":{"type":"Polygon","coordinates":[[[9,52],[9.1,52],[9,52.1],[9,52]]]}},)"
-        R"({"type":"Feature","properties":{"kind":"obstacle","name":"Pylon","buffer_m":-1},"geometry":{"type":"Polygon","coordinates":[[[9.01,52.01],[9.02,52.01],[9.01,52.02],[9.01,52.01]]]}}]})",
-        false, "buffer_m: '-1' is no length");
-    row("zip of nothing", "f.zip", QByteArray{"PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22}, true,
-        "f.zip");
+}
+
+}  // namespace
+
+void TestRefusedBoundaries::refuses_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<bool>("unreadable");
+    QTest::addColumn<QString>("message");
+    addWhatIsNoBoundaryFile();
+    addGeoJson();
+    addTexts();
 }
 
 void TestRefusedBoundaries::refuses() {

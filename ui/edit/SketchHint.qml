@@ -8,7 +8,7 @@ Rectangle {
     id: root
 
     required property FieldEditor editor
-    readonly property int needed: editor.draftNeeded
+    readonly property int needed: editor.sketchNeeded
     readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : editor.tool === FieldEditor.Split ? qsTr("Click where the split line begins") : qsTr("Click where the AB line begins")
 
     objectName: "drawingHint"
@@ -28,49 +28,49 @@ Rectangle {
 
         BodyText {
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.editor.draftCount === 0
+            visible: root.editor.sketchCount === 0
             text: root.editor.freehand && root.editor.tool !== FieldEditor.Gate ? qsTr("Press and trace it with the pointer") : root.firstText
         }
         NumberField {
             id: length
 
-            objectName: "draft.length"
-            visible: root.editor.draftCount > 0
+            objectName: "sketch.length"
+            visible: root.editor.sketchCount > 0
             width: 108
             name: qsTr("Length of the next edge")
             kind: QuantityText.Length
             from: 0
             to: 100000
             decimals: 2
-            value: activeFocus ? value : root.editor.draftLengthM
+            value: activeFocus ? value : root.editor.sketchLengthM
             onCommitted: newValue => value = newValue
             Keys.onReturnPressed: root.addTyped()
         }
         NumberField {
             id: bearing
 
-            objectName: "draft.bearing"
-            visible: root.editor.draftCount > 0
+            objectName: "sketch.bearing"
+            visible: root.editor.sketchCount > 0
             width: 100
             name: qsTr("Direction of the next edge")
             kind: QuantityText.Angle
             from: 0
             to: 360
             decimals: 1
-            value: activeFocus ? value : root.editor.draftBearingDeg
+            value: activeFocus ? value : root.editor.sketchBearingDeg
             Keys.onReturnPressed: root.addTyped()
         }
         SmallButton {
-            objectName: "draft.add"
+            objectName: "sketch.add"
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.editor.draftCount > 0
+            visible: root.editor.sketchCount > 0
             text: qsTr("Add")
             onClicked: root.addTyped()
         }
         CheckRow {
-            objectName: "draft.freehand"
+            objectName: "sketch.freehand"
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.editor.draftCount === 0 && root.editor.tool !== FieldEditor.Gate
+            visible: root.editor.sketchCount === 0 && root.editor.tool !== FieldEditor.Gate
             text: qsTr("By hand")
             checked: root.editor.freehand
             onToggled: root.editor.freehand = checked
@@ -78,15 +78,15 @@ Rectangle {
         PushButton {
             objectName: "cancelDrawing"
             text: qsTr("Cancel")
-            onClicked: root.editor.cancelDraft()
+            onClicked: root.editor.cancelSketch()
         }
         PushButton {
             objectName: "finishDrawing"
             visible: root.editor.tool !== FieldEditor.Gate
-            text: root.editor.draftOpen ? qsTr("Finish") : qsTr("Close boundary")
+            text: root.editor.sketchOpen ? qsTr("Finish") : qsTr("Close boundary")
             primary: true
-            enabled: root.editor.draftCount >= root.needed
-            onClicked: root.editor.finishDraft()
+            enabled: root.editor.sketchCount >= root.needed
+            onClicked: root.editor.finishSketch()
         }
     }
 
