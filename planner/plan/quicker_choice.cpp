@@ -37,7 +37,7 @@ constexpr Angle kSameHeading = degrees(0.01);
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
-constexpr double kNearPattern = 0.02;
+constexpr double kNearPattern = 0.04;
 // A plan that takes this many times as long as the best one may still become the best with corners and an
 // order of its own.
 constexpr double kNearPlan = 1.01;

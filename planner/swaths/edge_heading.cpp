@@ -14,7 +14,7 @@ Result<SwathSet> longestEdge(const SwathTask& task, const JobContext& job) {
         return std::unexpected(cancelled());
     }
     return scanLineFor(task).and_then([&](const ScanLine& scanLine) {
-        return swathsAlong(scanLine, task, longestEdgeHeading(task.mainland), SwathObjective::Coverage, job);
+        return swathsAlong(scanLine, task, longestEdgeHeading(task), SwathObjective::Coverage, job);
     });
 }
 
@@ -52,18 +52,6 @@ Result<SwathSet> edge(const SwathTask& task, const JobContext& job) {
 constexpr const Parameter* kEdgeParameters[] = {&kEdge};
 
 }  // namespace
-
-Angle longestEdgeHeading(const MultiPolygon& mainland) {
-    double longestM = -1.0;
-    Point edge;
-    forEachEdge(mainland, [&](Point from, Point to) {
-        if (const double lengthM = distance(from, to); lengthM > longestM) {
-            longestM = lengthM;
-            edge = to - from;
-        }
-    });
-    return radians(std::atan2(edge.y, edge.x));
-}
 
 const Parameter kEdge{
     .key = "swaths.edge",

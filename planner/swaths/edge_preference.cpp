@@ -155,6 +155,22 @@ std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least) {
     return edges;
 }
 
+Angle longestEdgeHeading(const SwathTask& task) {
+    double longestM = -1.0;
+    Point edge;
+    forEachEdge(task.mainland, [&](Point from, Point to) {
+        if (const double lengthM = distance(from, to); lengthM > longestM) {
+            longestM = lengthM;
+            edge = to - from;
+        }
+    });
+    const Angle own = radians(std::atan2(edge.y, edge.x));
+    const std::vector<LongEdge> fences = longEdges(task.field.boundary(), task.machine.operatingWidth());
+    const auto beside = std::ranges::find_if(
+        fences, [own](const LongEdge& fence) { return apartDeg(fence.heading, own) < kApartDeg; });
+    return beside != fences.end() ? beside->heading : own;
+}
+
 PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, SwathObjective objective,
                              const BestHeading& best) {
     PreferredHeading preferred{.chosen = best};
@@ -185,7 +201,7 @@ Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, S
                               const BestHeading& best, std::vector<BestHeading> tried,
                               const JobContext& job) {
     const PreferredHeading preferred = preferEdges(scanLine, task, objective, best);
-    const Angle longest = normalisedSwathHeading(longestEdgeHeading(task.mainland));
+    const Angle longest = normalisedSwathHeading(longestEdgeHeading(task));
     return swathsAlong(scanLine, task, preferred.chosen.heading, objective, job).transform([&](SwathSet set) {
         if (preferred.best) {
             set.notes.push_back(noteOf(preferred, objective));

@@ -16,9 +16,10 @@ struct LongEdge {
 /// fifth of the longest. Edges in a row that stay within 15 cm of one line are one. Cost: O(n log n).
 std::vector<LongEdge> longEdges(const MultiPolygon& boundary, Length least);
 
-/// The heading of the longest edge of a mainland, which the method `longest-edge` takes. Of equal edges the
-/// first. Cost: O(n).
-Angle longestEdgeHeading(const MultiPolygon& mainland);
+/// The heading of the longest edge of the mainland, which the method `longest-edge` takes. Of equal edges the
+/// first. Where a long edge of the field runs within a degree of it, the heading of that edge: nobody wants
+/// to drive a fraction of a degree off the fence. Cost: O(n log n).
+Angle longestEdgeHeading(const SwathTask& task);
 
 /// The heading that a search finally takes.
 struct PreferredHeading {
