@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <format>
 
 using namespace furrow;
 
@@ -69,6 +70,27 @@ private slots:
         // A fifth of the longest is 20 m, whatever the operating width.
         QCOMPARE(longEdges(boundary, metres(1.0)).size(), std::size_t{5});
         QVERIFY(longEdges(boundary, metres(200.0)).empty());
+    }
+
+    // A fence of 200 m to the east. The longest edge of the mainland is turned against it.
+    void theLongestEdgeIsTheFence_data() {
+        QTest::addColumn<double>("turnedDeg");
+        QTest::addColumn<double>("takenDeg");
+        QTest::newRow("the fence") << 0.0 << 0.0;
+        QTest::newRow("nobody wants to drive 0.3 degrees off it") << 0.3 << 0.0;
+        QTest::newRow("another edge") << 5.0 << 5.0;
+    }
+    void theLongestEdgeIsTheFence() {
+        QFETCH(double, turnedDeg);
+        QFETCH(double, takenDeg);
+        const Field field = fieldFrom({{.outer = {{0, 0}, {200, 0}, {200, 100}, {0, 100}}, .holes = {}}});
+        const double rise = 170.0 * std::tan(degrees(turnedDeg).si());
+        const MultiPolygon mainland{
+            {.outer = {{15, 15}, {185, 15 + rise}, {180, 85}, {20, 85}}, .holes = {}}};
+        const Angle taken = longestEdgeHeading(
+            {.field = field, .mainland = mainland, .machine = test::agbot(), .settings = {}});
+        // The frame of the field is turned by 0.001 degrees against that of its corners.
+        QVERIFY2(betweenDeg(taken, degrees(takenDeg)) < 0.01, std::format("{}", inDegrees(taken)).c_str());
     }
 
     // Over generated fields: within half a percent of the best the longest edge wins, otherwise the longest
