@@ -184,6 +184,24 @@ Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
     return {};
 }
 
+/// Edges with a given width of headland, in metres.
+std::vector<WideEdge> wideEdgesOf(const FieldSource& source, const LocalFrame& frame) {
+    std::vector<WideEdge> edges;
+    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+        const GeoRing& ring = *ringOf(source, headland);
+        edges.push_back({frame.toLocal(ring[headland.edge]),
+                         frame.toLocal(ring[(headland.edge + 1) % ring.size()]), headland.width});
+    }
+    return edges;
+}
+
+Error withOrigin(Error error, const FieldSource& source) {
+    if (!source.origin.empty() && !error.where.empty()) {
+        error.where = source.origin + ", " + error.where;
+    }
+    return error;
+}
+
 }  // namespace
 
 Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
@@ -198,26 +216,15 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
         return std::unexpected(checked.error());
     }
     Field field{source, *frame};
-    const auto withOrigin = [&source](Error error) {
-        if (!source.origin.empty() && !error.where.empty()) {
-            error.where = source.origin + ", " + error.where;
-        }
-        return std::unexpected(std::move(error));
-    };
     auto boundary = repairBoundary(source.parts, *frame, "the boundary", job);
     if (!boundary) {
-        return withOrigin(boundary.error());
+        return std::unexpected(withOrigin(boundary.error(), source));
     }
     field.source_.parts = std::move(boundary->geo);
     field.boundary_ = std::move(boundary->local);
     field.repairs_ = std::exchange(field.source_.repairs, {});
     std::ranges::move(boundary->repairs, std::back_inserter(field.repairs_));
-    for (const EdgeHeadland& headland : source.edgeHeadlands) {
-        const GeoRing& ring = *ringOf(source, headland);
-        field.edgeHeadlands_.push_back({frame->toLocal(ring[headland.edge]),
-                                        frame->toLocal(ring[(headland.edge + 1) % ring.size()]),
-                                        headland.width});
-    }
+    field.edgeHeadlands_ = wideEdgesOf(source, *frame);
     field.workable_ = field.boundary_;
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
@@ -226,7 +233,7 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
             obstacle.name.empty() ? message("obstacle {}", i + 1) : message("obstacle '{}'", obstacle.name);
         auto outline = repairObstacle(obstacle.outline, *frame, name, job);
         if (!outline) {
-            return withOrigin(outline.error());
+            return std::unexpected(withOrigin(outline.error(), source));
         }
         std::ranges::move(outline->repairs, std::back_inserter(field.repairs_));
         if (auto cut = field.leaveOut(outline->local, obstacle, name, job); !cut) {
