@@ -3114,8 +3114,8 @@
         <translation>Was aus der Breite wird, die auf der anderen Seite übrig bleibt.</translation>
     </message>
     <message>
-        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
-        <translation>Was alles zur Feldgrenze hält; Auto ist die Genauigkeit der Feldgrenze.</translation>
+        <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
+        <translation>Abstand zur Feldgrenze, den alles einhält; Auto ist die Genauigkeit der Feldgrenze.</translation>
     </message>
     <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
@@ -5076,8 +5076,8 @@
         <translation>%1 sind statt der Richtung mit der besten Schätzung geplant: %2</translation>
     </message>
     <message>
-        <source>less stands in its way</source>
-        <translation>es steht weniger im Weg</translation>
+        <source>it has fewer problems</source>
+        <translation>er hat weniger Probleme</translation>
     </message>
     <message>
         <source>it is %1 s quicker</source>
@@ -5116,11 +5116,11 @@
         <translation>Die gewählten Spuren (%1) reichen nicht bis dorthin.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <source>Land that is left is not finished if the machine may leave the field (%1).</source>
         <translation>Wo die Maschine den Schlag verlassen darf (%1), werden Reste nicht nachgearbeitet.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave (%1).</source>
+        <source>Land that is left is not finished, because that is switched off (%1).</source>
         <translation>Reste werden nicht nachgearbeitet (%1).</translation>
     </message>
     <message>

@@ -3114,7 +3114,7 @@
         <translation>Qué pasa con el ancho que sobra en el otro lado.</translation>
     </message>
     <message>
-        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
         <translation>Lo que todo guarda hasta el límite; auto es la precisión del límite.</translation>
     </message>
     <message>
@@ -5076,7 +5076,7 @@
         <translation>%1 están planificadas en lugar de la dirección con la mejor estimación: %2</translation>
     </message>
     <message>
-        <source>less stands in its way</source>
+        <source>it has fewer problems</source>
         <translation>hay menos que lo impida</translation>
     </message>
     <message>
@@ -5116,11 +5116,11 @@
         <translation>Las pasadas elegidas (%1) no llegan hasta allí.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <source>Land that is left is not finished if the machine may leave the field (%1).</source>
         <translation>Donde la máquina puede salir de la parcela (%1), no se repasa lo que queda.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave (%1).</source>
+        <source>Land that is left is not finished, because that is switched off (%1).</source>
         <translation>No se repasa lo que queda (%1).</translation>
     </message>
     <message>

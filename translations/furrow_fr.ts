@@ -3114,7 +3114,7 @@
         <translation>Ce que devient la largeur qui reste de l&apos;autre côté.</translation>
     </message>
     <message>
-        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
         <translation>Ce que tout garde par rapport à la limite ; auto est la précision de la limite.</translation>
     </message>
     <message>
@@ -5076,7 +5076,7 @@
         <translation>%1 sont planifiés au lieu de la direction à la meilleure estimation : %2</translation>
     </message>
     <message>
-        <source>less stands in its way</source>
+        <source>it has fewer problems</source>
         <translation>moins d’obstacles s’y opposent</translation>
     </message>
     <message>
@@ -5116,11 +5116,11 @@
         <translation>Les passages choisis (%1) n’y arrivent pas.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <source>Land that is left is not finished if the machine may leave the field (%1).</source>
         <translation>Là où la machine peut sortir de la parcelle (%1), les restes ne sont pas repris.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave (%1).</source>
+        <source>Land that is left is not finished, because that is switched off (%1).</source>
         <translation>Les restes ne sont pas repris (%1).</translation>
     </message>
     <message>

@@ -3114,7 +3114,7 @@
         <translation>Wat er gebeurt met de breedte die aan de andere kant overblijft.</translation>
     </message>
     <message>
-        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
         <translation>Wat alles tot de perceelsgrens houdt; auto is de nauwkeurigheid van de perceelsgrens.</translation>
     </message>
     <message>
@@ -5076,7 +5076,7 @@
         <translation>%1 zijn gepland in plaats van de richting met de beste schatting: %2</translation>
     </message>
     <message>
-        <source>less stands in its way</source>
+        <source>it has fewer problems</source>
         <translation>er staat minder in de weg</translation>
     </message>
     <message>
@@ -5116,11 +5116,11 @@
         <translation>De gekozen werkgangen (%1) komen er niet.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <source>Land that is left is not finished if the machine may leave the field (%1).</source>
         <translation>Waar de machine het perceel mag verlaten (%1), worden resten niet nabewerkt.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave (%1).</source>
+        <source>Land that is left is not finished, because that is switched off (%1).</source>
         <translation>Resten worden niet nabewerkt (%1).</translation>
     </message>
     <message>

@@ -3114,7 +3114,7 @@
         <translation>O que acontece com a largura que sobra do outro lado.</translation>
     </message>
     <message>
-        <source>What everything keeps from the boundary; auto is the boundary&apos;s accuracy.</source>
+        <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
         <translation>O que tudo mantém do limite; auto é a precisão do limite.</translation>
     </message>
     <message>
@@ -5076,7 +5076,7 @@
         <translation>%1 são planejadas em vez da direção com a melhor estimativa: %2</translation>
     </message>
     <message>
-        <source>less stands in its way</source>
+        <source>it has fewer problems</source>
         <translation>há menos impedimentos</translation>
     </message>
     <message>
@@ -5116,11 +5116,11 @@
         <translation>As passadas escolhidas (%1) não chegam até lá.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave where the machine may leave the field (%1).</source>
+        <source>Land that is left is not finished if the machine may leave the field (%1).</source>
         <translation>Onde a máquina pode sair do talhão (%1), os restos não são retrabalhados.</translation>
     </message>
     <message>
-        <source>No passes finish what others leave (%1).</source>
+        <source>Land that is left is not finished, because that is switched off (%1).</source>
         <translation>Os restos não são retrabalhados (%1).</translation>
     </message>
     <message>

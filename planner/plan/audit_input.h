@@ -11,7 +11,7 @@ struct AuditedParts {
     const PlanRequest& request;
     Length margin;
     const Headland& headland;
-    std::span<const HeadlandPass> finishing;  ///< passes that the headland does not have
+    std::span<const HeadlandPass> finishing;  ///< short passes, which are not passes of the headland
     const MultiPolygon& mainland;
     const SwathSet& swaths;
     const Route& route;

@@ -12,23 +12,22 @@
 
 namespace furrow {
 
-/// Where the turns of the kind that was chosen belong: between two swaths of one cell. Other ways are
-/// whatever fits, but for smooth steering, which stays smooth everywhere it can. May be asked by several
-/// threads at once.
+/// Turns of the chosen kind. They belong between two swaths of one cell. Other ways take any kind that fits;
+/// a kind with continuous curvature is also used there if it fits. Thread-safe.
 class ChosenTurns {
 public:
-    /// Keeps what it is made from.
+    /// Keeps references to all parameters.
     ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells,
                 const FittingWays& ways);
 
-    /// The turn from one leg to the next of the chosen kind, where it belongs and fits.
+    /// The turn of the chosen kind from one leg to the next. Empty if it does not belong there or does not
+    /// fit.
     std::optional<Curve> between(const Leg& leaving, const Leg& arriving) const;
 
-    /// The same from any leg to any other, as long as it leads through no obstacle: for machines that may
-    /// leave the field.
+    /// The same between any two legs, if it leads through no obstacle: for machines that may leave the field.
     std::optional<Curve> anywhere(const Leg& leaving, const Leg& arriving) const;
 
-    /// How many turns between swaths are of another kind, and why; nothing where all are as chosen.
+    /// The number of turns between swaths that are of another kind, and the reason. Empty if there are none.
     std::optional<Finding> told(std::span<const Leg> legs) const;
 
 private:

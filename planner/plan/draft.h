@@ -4,12 +4,11 @@
 
 namespace furrow {
 
-/// The same request with settings that take a small part of the time: for a plan that is only looked at, as
-/// while a point is dragged. Swaths keep the heading of the plan before instead of searching one, the
-/// headland keeps its width and is not driven, turns are the shortest curves and may leave the field, and the
-/// path is not measured. What the user has chosen beyond that stays.
+/// The same request with settings for a quick plan, shown while a point is dragged. Swaths keep the heading
+/// of the last plan, the headland keeps its width and is not driven, turns are the shortest curves and may
+/// leave the field, and the path is not audited. All other settings stay.
 ///
-/// @param before  the last plan of this field; null for none
+/// @param before  the last plan of this field; null if there is none
 PlanRequest draftOf(PlanRequest request, const Plan* before);
 
 }  // namespace furrow

@@ -9,15 +9,16 @@
 
 namespace furrow {
 
-/// Marks the segments of a path that leave where the machine may be, and tells them: a way in several gears
-/// once, at its worst place. Cancelled.
+/// Marks the segments on which the machine leaves the area where it may be. Returns one finding for each way,
+/// at its worst place. Cancelled.
 Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable, const Machine& machine,
                                        const JobContext& job);
 
-/// Turns on the spot by a machine that cannot turn on the spot; nothing without.
+/// A finding if the path turns on the spot and the machine cannot.
 std::optional<Finding> impossibleTurns(const PlanRequest& request, const Path& path);
 
-/// The findings of an audit that the planner's own do not tell already: those know what was tried.
+/// The findings of the audit without those that the planner has told already. The planner's own say what was
+/// tried.
 std::vector<Finding> newFindings(const AuditReport& audit, const std::vector<Finding>& told,
                                  const Path& path);
 

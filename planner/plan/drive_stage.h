@@ -6,11 +6,11 @@
 
 namespace furrow {
 
-/// Lays out the legs of headland, swaths and route with the ways in and out at the gates, and joins them by
-/// ways; checks and audits the path, and where more is left than may be adds short passes and does so again.
+/// The driven plan: legs over headland and swaths in the order of the route, ways between them and at the
+/// gates, checks and audit, and short passes where too much is left.
 ///
-/// @param toBeat  InputRefused for a plan that is no better, as soon as that is known
-/// Errors: Usage for a start or end that is none. InputRefused. Cancelled.
+/// @param toBeat  the best plan so far. InputRefused: this one cannot be better.
+/// Errors: Usage, if start or end is no place. InputRefused. Cancelled.
 Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBeat, const JobContext& job);
 
 }  // namespace furrow

@@ -4,12 +4,12 @@
 
 namespace furrow {
 
-/// Where more is left than may stay, short passes over it, if the plan gets better by them. A pass that has
-/// no way in is replaced by others in another round.
+/// Adds short passes over land that is left, if there is too much of it and the plan gets better. If no way
+/// leads to a pass, the next round tries other passes.
 ///
-/// @param driven  over these legs
-/// @param ground  where ways may lead, gates open
-/// @param toBeat  InputRefused for a plan that is no better with them
+/// @param driven  the path over these legs, with its audit
+/// @param ground  the area for ways, gates open
+/// @param toBeat  the best plan so far. InputRefused: this one cannot be better.
 /// Cancelled.
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
                            const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,

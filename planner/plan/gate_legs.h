@@ -15,15 +15,15 @@ namespace furrow {
 struct GateWays {
     std::optional<Pose> in;         ///< where the way in ends
     std::optional<Pose> out;        ///< where the way out begins
-    std::vector<Finding> findings;  ///< where there is none, and why
+    std::vector<Finding> findings;  ///< gates to which no way leads, and why
 
     bool leads(const Pose& leaving, const Pose& arriving) const { return leaving == in || arriving == out; }
 };
 
-/// Where a route begins and ends, if that is said.
+/// Start and end of a route, if they are given.
 using RouteEnds = std::array<std::optional<RoutePlace>, 2>;
 
-/// Puts the ways in and out before and behind legs, of which there is one at least.
+/// Puts the way in before the legs and the way out behind them. There has to be a leg.
 GateWays addGateWays(std::vector<Leg>& legs, const RouteEnds& places, const Field& field, const Rig& rig);
 
 }  // namespace furrow

@@ -9,11 +9,12 @@ namespace furrow {
 /// The parts of a mainland with their swaths one after the other in one set.
 class PartCollector {
 public:
-    /// @param common    whose figures and notes the set begins with
-    /// @param mainland  that the parts tile
+    /// @param common    the set begins with its figures and notes
+    /// @param mainland  tiled by the parts
     PartCollector(const SwathSet& common, const MultiPolygon& mainland);
 
-    /// @param heading  of its own; its straight swaths then get lines of their own
+    /// @param heading  of this part, if it differs from the common one; straight swaths then get their own
+    /// lines
     void add(MultiPolygon outline, SwathSet set, std::optional<Angle> heading);
 
     LaidSwaths take() { return std::move(laid_); }
@@ -25,7 +26,7 @@ private:
 /// The swaths of one part in a set of their own, as the methods read them.
 SwathSet setOf(const SwathSet& all, const MainlandPart& part);
 
-/// Of the chosen swath method. Errors: those of the method.
+/// The swaths that the chosen method lays in a mainland. Errors: those of the method.
 Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland,
                                 const JobContext& job);
 

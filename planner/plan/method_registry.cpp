@@ -126,7 +126,7 @@ const auto& chosenMethod(const Methods& methods, const StageEntry& stage, const 
 const Parameter kMargin{
     .key = "field.margin_m",
     .name = "Margin",
-    .description = "What everything keeps from the boundary; auto is the boundary's accuracy.",
+    .description = "Distance from the boundary that nothing enters; auto is the boundary's accuracy.",
     .kind = ParameterKind::Length,
     .standard = {},
     .canBeAuto = true,

@@ -21,19 +21,19 @@ struct DriveTask {
     const Ordered& ordered;
 };
 
-/// A path's legs are joined by ways, checked and audited here. Keeps references to all it is made from.
+/// Joins legs by ways, checks the path and audits it. Keeps references to all parameters.
 class PathOverLegs {
 public:
-    /// @param ground         where ways may lead, gates open
+    /// @param ground         the area for ways, gates open
     /// @param leftOnPurpose  for the audit
     PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
                  const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose);
 
-    /// The path over these legs with what is found along it. Where no way leads from one leg to the next they
-    /// are put in another order.
+    /// The path over these legs with its findings and audit. If no way leads from one leg to the next, the
+    /// legs get another order.
     ///
-    /// @param finishing  passes among the legs that the headland does not have
-    /// @param toBeat     InputRefused for a plan that is no better, as soon as that is known
+    /// @param finishing  short passes among the legs, which are not passes of the headland
+    /// @param toBeat     the best plan so far. InputRefused: this one cannot be better.
     /// Cancelled.
     Result<Driven> drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
                          std::optional<PlanToBeat> toBeat, const JobContext& job) const;
@@ -50,7 +50,7 @@ private:
     const MultiPolygon& leftOnPurpose_;
 };
 
-/// The ways that are no turns between swaths: the chosen kind is kept where nothing has to fit.
+/// The kind of turn for all other ways. It is the chosen kind only if the machine may leave the field.
 TurnPlanner* otherTurns(const Settings& settings);
 
 }  // namespace furrow

@@ -7,36 +7,31 @@
 
 namespace furrow {
 
-/// Seconds: the driven path, and what it leaves within the field worked by itself. Areas that are left on
-/// purpose cost nothing.
+/// The time of the driven path, with the time to work separately what it leaves. Land that is left on purpose
+/// costs nothing.
 Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit);
 
-/// The best plan so far. Another one is of use only if less stands in its way, or as much and it takes less
-/// time.
+/// The best plan so far. Another one beats it with fewer blocking findings, or with as many in less time.
 struct PlanToBeat {
     std::ptrdiff_t blocking = 0;  ///< findings
     Duration time;                ///< for all
-    /// By how much finishing passes made it longer, beyond the time for the land that they work.
-    Duration finishing;
-    Area left;  ///< within reach, before them
+    Duration finishing;           ///< added by finishing passes, less the time for the land that they work
+    Area left;                    ///< land within reach that was left before the finishing passes
 };
 
 PlanToBeat planToBeat(const Machine& machine, const Driven& driven);
 
-/// Never told, so without words: a better plan is there.
+/// The error of a plan that cannot be better. It has no text, since nobody sees it.
 Error noBetter(const Field& field);
 
-/// Findings that block, and that no finishing pass mends.
+/// The number of blocking findings that finishing passes cannot mend.
 std::ptrdiff_t lastingCount(std::span<const Finding> findings);
 
-/// Whether a plan with this path, which no obstacle gets a headland in after all, may be better. What it
-/// misses has to be worked, too, by finishing passes or by itself.
-/// @param audit  empty before it
+/// Whether a plan with this path may beat another one. Land that it misses is counted as worked separately.
 bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driven);
 
-/// The same of a plan that needs finishing passes. As much land costs them at least a quarter of what it
-/// cost those of the plan to beat. A plan that is slower by more than 1 % even so may not.
-/// Cost: none to speak of.
+/// The same before finishing passes. For equal land they are taken to cost at least a quarter of what they
+/// cost in the plan to beat. With that, this plan may be slower by 1 %.
 bool mayBeatFinished(const PlanToBeat& other, const Machine& machine, const Driven& unfinished);
 
 }  // namespace furrow

@@ -60,7 +60,7 @@ bool isBetter(const PlannedStages& other, const PlannedStages& plan) {
 /// Why a plan is better than another.
 Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
     return better.blockingCount() < other.blockingCount()
-               ? Message{"less stands in its way"}
+               ? Message{"it has fewer problems"}
                : message("it is {:.0f} s quicker", (timeOf(other) - timeOf(better)).si());
 }
 

@@ -10,27 +10,24 @@ struct QuickestChoice {
     PlannedStages stages;
     std::vector<SettingChange> instead;      ///< see Plan::instead
     std::vector<Note> notes;                 ///< why
-    std::vector<HeadingCandidate> headings;  ///< of the search, of which one was taken
+    std::vector<HeadingCandidate> headings;  ///< that the search compared
 };
 
-/// The plan as asked, with what is left to the planner, and what promises time, decided by the time of the
-/// driven path: what one plan leaves and the other does not counts as worked by itself; a plan with fewer
-/// blocking findings comes first.
+/// Plans the request and its alternatives, and takes the best plan. The plan with fewer blocking findings is
+/// better. Of equal ones the quicker is better: the time of the driven path, with the time to work separately
+/// what it leaves. Alternatives are:
 ///
-/// - Heading, of searches by time: along the longest edge as well; where the plan cannot be driven, other
-/// headings that
-///   the search found, too.
-/// - Order, of `route.method=optimised`: boustrophedon and snake, where their turns are about as quick by the
-/// estimate.
-/// - Corners, of `headland.corner=quickest`: those that reach into the corners of the headland, of drivable
-/// plans.
-/// - `headland.method=per-edge` and `decomposition.heading=per-cell`: one width all round, one heading for
-/// all cells, each
-///   with all of the above. An order of one's own keeps its swaths.
+/// - headings, for searches by time: the longest edge, and more headings of the search if the plan cannot be
+/// driven.
+/// - orders, for `route.method=optimised`: boustrophedon and snake, if their estimate is close.
+/// - corners of the headland, for `headland.corner=quickest`: all kinds, if the plan can be driven.
+/// - one width for all edges, for `headland.method=per-edge`, and one heading for all cells, for
+///   `decomposition.heading=per-cell`. Each is compared with its own best heading, order and corners. A route
+///   in an order by hand keeps its swaths.
 ///
-/// What was taken stands in Plan::instead; a note says so, but for orders and corners, of which none was
-/// asked for. Cost: a plan for each; those that are slower for sure are not audited. Errors: of the plan as
-/// asked. Cancelled.
+/// Plan::instead names each choice that was replaced. A note tells it, except for orders and corners, which
+/// nobody asked for. Cost: one plan for each alternative. Plans that cannot win are not audited. Errors:
+/// those of the request. Cancelled.
 Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job);
 
 }  // namespace furrow

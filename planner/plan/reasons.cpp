@@ -99,12 +99,13 @@ Message whyMissed(const Plan& plan, Point place) {
         return message("The chosen swaths ({}) do not reach it.", method.key);
     }
     if (plan.headland.passes > 0 && !settings.flag(kStayInside)) {
-        return message("No passes finish what others leave where the machine may leave the field ({}).",
+        return message("Land that is left is not finished if the machine may leave the field ({}).",
                        kStayInside.key);
     }
     return settings.flag(kHeadlandFinish)
                ? Message{}
-               : message("No passes finish what others leave ({}).", kHeadlandFinish.key);
+               : message("Land that is left is not finished, because that is switched off ({}).",
+                         kHeadlandFinish.key);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 namespace furrow {
 
-/// Says of what blocks a plan, and of which nothing is said yet, what of the settings or the field it comes
-/// from. What is known to mend it is advice, which comes later and takes its place.
+/// Adds the cause to each blocking finding that names none: a setting, or the shape of the field. Advice,
+/// which is added later, replaces it.
 void addReasons(Plan& plan);
 
 }  // namespace furrow

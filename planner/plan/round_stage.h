@@ -7,18 +7,19 @@
 
 namespace furrow {
 
-/// Up to which size obstacles are gone round.
+/// The largest size of obstacles that swaths go round.
 extern const Parameter kRoundUpTo;
 
-/// As given; otherwise the operating width, but no less than 1.5 m.
+/// The given size, or the operating width, at least 1.5 m.
 Length roundUpTo(const Settings& settings, const Machine& machine);
 
 /// The obstacles that lie inside a mainland, clear of the headland passes beside it.
 std::vector<Ring> insideMainland(const std::vector<Ring>& obstacles, const MultiPolygon& mainland,
                                  Length margin, const Machine& machine);
 
-/// Leads swaths round obstacles that headland and swaths were laid without, and measures what they cover
-/// then. Where one is refused the headland has to be laid again, with it. Cancelled.
+/// Leads swaths round obstacles that headland and swaths were laid without, and measures their coverage
+/// again. If swaths cannot get round an obstacle, it is refused: the headland has to be laid again, round it.
+/// Cancelled.
 Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacles, const LayTask& task,
                                  const JobContext& job);
 
@@ -26,8 +27,8 @@ Result<RoundedSwaths> roundStage(LaidSwaths laid, std::span<const Ring> obstacle
 Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathSet& swaths,
                                       const JobContext& job);
 
-/// The obstacles that swaths go round, but for those near which something blocks the plan; all where there is
-/// none.
+/// The obstacles that swaths go round, without those close to a blocking finding. All of them if none is
+/// close.
 std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings,
                                    const Machine& machine);
 
