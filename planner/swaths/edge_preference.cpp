@@ -25,6 +25,8 @@ constexpr double kSameDeg = 1e-6;
 // A smaller difference needs no note: it is less than two decimetres over a kilometre.
 constexpr double kUnseenDeg = 0.01;
 constexpr double kApartDeg = 1.0;
+// Less is told as 0 s or 0 m.
+constexpr double kWorthTelling = 0.5;
 constexpr std::size_t kMostCandidates = 4;
 
 double apartDeg(Angle a, Angle b) {
@@ -100,12 +102,12 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     const HeadingFigures& chosen = preferred.chosen.figures;
     const HeadingFigures& best = preferred.best->figures;
     Message text = message("swaths run {}", along);
-    if (objective == SwathObjective::Time) {
-        text = message("swaths run {}; {:.0f} s slower than with the best heading", along,
-                       (chosen.time - best.time).si());
-    } else if (objective == SwathObjective::Length) {
-        text = message("swaths run {}; {:.0f} m more than with the best heading", along,
-                       (chosen.length + chosen.missed - best.length - best.missed).si());
+    const double slowerS = (chosen.time - best.time).si();
+    const double moreM = (chosen.length + chosen.missed - best.length - best.missed).si();
+    if (objective == SwathObjective::Time && slowerS >= kWorthTelling) {
+        text = message("swaths run {}; {:.0f} s slower than with the best heading", along, slowerS);
+    } else if (objective == SwathObjective::Length && moreM >= kWorthTelling) {
+        text = message("swaths run {}; {:.0f} m more than with the best heading", along, moreM);
     }
     return {.text = text, .where = std::string{kPreferEdge.key}, .place = {}};
 }
