@@ -38,9 +38,10 @@ constexpr Angle kSameHeading = degrees(0.01);
 constexpr std::size_t kMostHeadings = 2;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
 constexpr double kNearPattern = 0.04;
-// A plan that takes this many times as long as the best one may still become the best with corners and an
-// order of its own.
-constexpr double kNearPlan = 1.01;
+// A plan in another order, or along another heading, that takes this many times as long as the best one may
+// still become the best with corners and an order of its own. Those of a heading change more.
+constexpr double kNearInOrder = 1.02;
+constexpr double kNearInHeading = 1.06;
 
 std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
@@ -137,7 +138,7 @@ public:
 
 private:
     Result<bool> takeIfBetter(Best& best, const PlanRequest& other);
-    Result<std::optional<PlannedStages>> nearPlan(const Best& best, const PlanRequest& other);
+    Result<std::optional<PlannedStages>> nearPlan(const Best& best, const PlanRequest& other, double near);
     Result<void> tryPattern(Best& best, std::string_view pattern);
     Result<void> tryCorners(Best& best);
     Result<void> decideOrderAndCorners(Best& best);
@@ -161,17 +162,20 @@ Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
     return true;
 }
 
-/// The plan with other settings where it is better as driven, or takes little longer. Cancelled.
-Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const PlanRequest& other) {
+/// The plan with other settings if it is better as driven, or takes less than `near` times as long.
+/// Cancelled.
+Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const PlanRequest& other,
+                                                       double near) {
     PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
-    toBeat.time = kNearPlan * toBeat.time;
+    toBeat.time = near * toBeat.time;
     auto plan = runner_.run(other, toBeat, quiet_);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
     }
-    const bool isNear = plan && (plan->blockingCount() < best.plan.blockingCount() ||
-                                 (plan->blockingCount() == best.plan.blockingCount() &&
-                                  timeOf(*plan) <= kNearPlan * timeOf(best.plan)));
+    const bool isNear =
+        plan &&
+        (plan->blockingCount() < best.plan.blockingCount() ||
+         (plan->blockingCount() == best.plan.blockingCount() && timeOf(*plan) <= near * timeOf(best.plan)));
     return isNear ? std::optional{*std::move(plan)} : std::nullopt;
 }
 
@@ -239,7 +243,7 @@ Result<void> Chooser::tryPattern(Best& best, std::string_view pattern) {
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
-    auto plan = nearPlan(best, request);
+    auto plan = nearPlan(best, request, kNearInOrder);
     if (!plan || !*plan) {
         return plan.transform([](auto&&) {});
     }
@@ -259,7 +263,13 @@ Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate) 
     PlanRequest request = along(best.asked, candidate.heading);
     const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
     request.settings.set(kHeadlandCorner, corner).value();
-    auto plan = nearPlan(best, request);
+    auto plan = nearPlan(best, request, kNearInHeading);
+    const bool isByTime = best.asked.settings.choice(kHeadlandCorner) == kQuickestCorner;
+    if (plan && !*plan && isByTime && corner != kRoundedCorner) {
+        // Corners that are driven into may block along this heading.
+        request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
+        plan = nearPlan(best, request, kNearInHeading);
+    }
     if (!plan || !*plan) {
         return plan.transform([](auto&&) {});
     }

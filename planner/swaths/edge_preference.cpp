@@ -134,8 +134,12 @@ std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const
         add(tried[i], kApartDeg);
     }
     // First that of the field, which people see: along another one by fractions of a degree nobody wants to
-    // drive.
+    // drive. An edge takes the place of a heading that lies close by.
     for (const BestHeading& edge : alongLongest) {
+        std::erase_if(candidates, [&](const HeadingCandidate& other) {
+            return !other.alongLongestEdge && apartDeg(other.heading, chosen.heading) >= kSameDeg &&
+                   apartDeg(other.heading, edge.heading) < kApartDeg;
+        });
         add(edge, &edge == &alongLongest.front() ? kSameDeg : kApartDeg);
     }
     std::ranges::stable_sort(candidates, {},
