@@ -93,6 +93,35 @@ private slots:
         QVERIFY2(betweenDeg(taken, degrees(takenDeg)) < 0.01, std::format("{}", inDegrees(taken)).c_str());
     }
 
+    // The longest edge of a mainland is among the candidates, or the chosen heading is less than a degree off
+    // it: in a square field, whose own edges lead elsewhere.
+    void theLongestEdgeIsACandidate() {
+        const Field field =
+            fieldFrom({{.outer = {{-400, -400}, {400, -400}, {400, 400}, {-400, 400}}, .holes = {}}});
+        std::mt19937_64 random{58};
+        int apart = 0;
+        for (int i = 0; i < 80; ++i) {
+            const MultiPolygon mainland = test::randomPolygons(random, test::Shape::Convex, 150.0);
+            Settings settings;
+            settings.setText(kObjective, "time").value();
+            settings.setText(kPreferEdge, "0").value();
+            const SwathTask task{
+                .field = field, .mainland = mainland, .machine = test::agbot(), .settings = settings};
+            const auto set = kExactMethod.run(task, {});
+            VERIFY_RESULT(set);
+            const Angle longest = longestEdgeHeading(task);
+            const bool isClose = betweenDeg(longest, set->heading) < 1.0;
+            apart += isClose ? 0 : 1;
+            QVERIFY2(isClose || std::ranges::any_of(set->candidates,
+                                                    [&](const HeadingCandidate& candidate) {
+                                                        return candidate.alongLongestEdge &&
+                                                               betweenDeg(candidate.heading, longest) < 1e-5;
+                                                    }),
+                     std::format("field {}", i).c_str());
+        }
+        QVERIFY2(apart > 5, std::format("{}", apart).c_str());
+    }
+
     // Over generated fields: within half a percent of the best the longest edge wins, otherwise the longest
     // of those that are; and what is chosen costs no more, and says so.
     void withinTheShareTheLongestEdgeWins() {
