@@ -133,14 +133,14 @@ std::vector<HeadingCandidate> candidatesOf(std::vector<BestHeading> tried, const
     for (std::size_t i = 0; i < tried.size() && candidates.size() < kMostCandidates; ++i) {
         add(tried[i], kApartDeg);
     }
-    // First that of the field, which people see: along another one by fractions of a degree nobody wants to
-    // drive. An edge takes the place of a heading that lies close by.
+    // First that of the field, which people see. An edge takes the place of a heading that lies close by, but
+    // not of the chosen one.
     for (const BestHeading& edge : alongLongest) {
         std::erase_if(candidates, [&](const HeadingCandidate& other) {
             return !other.alongLongestEdge && apartDeg(other.heading, chosen.heading) >= kSameDeg &&
                    apartDeg(other.heading, edge.heading) < kApartDeg;
         });
-        add(edge, &edge == &alongLongest.front() ? kSameDeg : kApartDeg);
+        add(edge, kUnseenDeg);
     }
     std::ranges::stable_sort(candidates, {},
                              [](const HeadingCandidate& candidate) { return candidate.figures.time; });
