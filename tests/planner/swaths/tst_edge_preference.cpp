@@ -93,8 +93,8 @@ private slots:
         QVERIFY2(betweenDeg(taken, degrees(takenDeg)) < 0.01, std::format("{}", inDegrees(taken)).c_str());
     }
 
-    // The longest edge of a mainland is among the candidates, or it is the chosen heading
-    // it: in a square field, whose own edges lead elsewhere.
+    // The longest edge of a mainland is among the candidates, or it is the chosen heading:
+    // in a square field, whose own edges lead elsewhere.
     void theLongestEdgeIsACandidate() {
         const Field field =
             fieldFrom({{.outer = {{-400, -400}, {400, -400}, {400, 400}, {-400, 400}}, .holes = {}}});
