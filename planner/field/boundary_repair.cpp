@@ -179,7 +179,7 @@ public:
     }
 
 private:
-    Error refused(Message what, Message remedy, std::optional<GeoPoint> place, Message where) const {
+    Error refused(Message what, Message remedy, std::optional<GeoPoint> place, const Message& where) const {
         return {.code = ErrorCode::InputRefused,
                 .what = std::move(what),
                 .where = where.empty() ? what_ : message("{}, {}", what_, where),
@@ -334,7 +334,7 @@ private:
     }
 
     Result<MultiPolygon> untangledRing(const Ring& ring, RepairOf kind) {
-        const MultiPolygon alone{Polygon{.outer = ring, .holes = {}}};
+        MultiPolygon alone{Polygon{.outer = ring, .holes = {}}};
         const auto problem = findInvalidPlace(alone, job_);
         if (!problem) {
             return std::unexpected(problem.error());

@@ -112,6 +112,7 @@ Geometry toGeos(const Polygon& polygon) {
 
 Geometry toGeos(const MultiPolygon& polygons) {
     std::vector<GEOSGeometry*> parts;
+    parts.reserve(polygons.size());
     for (const Polygon& polygon : polygons) {
         parts.push_back(toGeos(polygon).release());
     }
@@ -121,6 +122,7 @@ Geometry toGeos(const MultiPolygon& polygons) {
 
 Geometry toGeos(const std::vector<Polyline>& lines) {
     std::vector<GEOSGeometry*> parts;
+    parts.reserve(lines.size());
     for (const Polyline& line : lines) {
         parts.push_back(GEOSGeom_createLineString_r(handle(), sequence(line, false)));
     }
