@@ -77,20 +77,13 @@ std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Pol
     const Geometry outside{GEOSDifference_r(handle(), tested.get(), area.geometry.get())};
     const int parts = outside ? GEOSGetNumGeometries_r(handle(), outside.get()) : 0;
     for (int i = 0; i < parts; ++i) {
-        const GEOSGeometry* part = GEOSGetGeometryN_r(handle(), outside.get(), i);
-        const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(handle(), part);
-        unsigned count = 0;
-        GEOSCoordSeq_getSize_r(handle(), coordinates, &count);
-        Point before;
-        for (unsigned k = 0; k < count; ++k) {
-            Point point;
-            GEOSCoordSeq_getXY_r(handle(), coordinates, k, &point.x, &point.y);
-            consider(point);
+        const std::vector<Point> line = pointsOf(GEOSGetGeometryN_r(handle(), outside.get(), i));
+        for (std::size_t k = 0; k < line.size(); ++k) {
+            consider(line[k]);
             if (k > 0) {
                 // A straight line through a hole is farthest outside somewhere between its two crossings.
-                consider(0.5 * (before + point));
+                consider(0.5 * (line[k - 1] + line[k]));
             }
-            before = point;
         }
     }
     return farthest;

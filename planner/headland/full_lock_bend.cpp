@@ -4,19 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <ranges>
+#include <utility>
 
 namespace furrow {
 
 namespace {
-
-Bounds boundsOf(std::span<const Point> points) {
-    Bounds box{points.front(), points.front()};
-    for (const Point& point : points) {
-        box = {{std::min(box.min.x, point.x), std::min(box.min.y, point.y)},
-               {std::max(box.max.x, point.x), std::max(box.max.y, point.y)}};
-    }
-    return box;
-}
 
 // Of a square, in sides, and a little more.
 constexpr double kHalfDiagonal = 0.708;
@@ -75,15 +67,15 @@ FullLockBend::FullLockBend(const Rig& lowered, double side, double rounds, Lengt
 }
 
 void FullLockBend::enterStrips() {
-    std::vector<Point> corners;
+    Ring corners;
     for (const Strip& strip : strips_ | std::views::drop(1)) {
         corners.insert(corners.end(), strip.begin(), strip.end());
     }
-    box_ = boundsOf(corners);
+    box_ = bounds({{.outer = std::move(corners), .holes = {}}});
     columns_ = columnOf(box_.max.x) + 1;
     cells_.resize(columns_ * (rowOf(box_.max.y) + 1));
     for (std::size_t i = 1; i < strips_.size(); ++i) {
-        const Bounds box = boundsOf(strips_[i]);
+        const Bounds box = bounds({{.outer = {strips_[i].begin(), strips_[i].end()}, .holes = {}}});
         for (std::size_t row = rowOf(box.min.y); row <= rowOf(box.max.y); ++row) {
             for (std::size_t column = columnOf(box.min.x); column <= columnOf(box.max.x); ++column) {
                 const Point middle = box_.min + kCellM * Point{static_cast<double>(column) + 0.5,

@@ -148,20 +148,6 @@ private:
     JobContext quiet_;
 };
 
-/// Takes the plan with other settings where it is better as driven: whether it did. One that cannot be made
-/// is no better. Cancelled.
-Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
-    auto plan = runner_.run(other, planToBeat(other.machine, *best.plan.driven), quiet_);
-    if (isCancelled(plan)) {
-        return std::unexpected(plan.error());
-    }
-    if (!plan || !isBetter(*plan, best.plan)) {
-        return false;
-    }
-    best.plan = *std::move(plan);
-    return true;
-}
-
 /// The plan with other settings if it is better as driven, or takes less than `near` times as long.
 /// Cancelled.
 Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const PlanRequest& other,
@@ -177,6 +163,19 @@ Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const P
         (plan->blockingCount() < best.plan.blockingCount() ||
          (plan->blockingCount() == best.plan.blockingCount() && timeOf(*plan) <= near * timeOf(best.plan)));
     return isNear ? std::optional{*std::move(plan)} : std::nullopt;
+}
+
+/// Takes the plan with other settings if it is better as driven: whether it did. Cancelled.
+Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
+    auto plan = nearPlan(best, other, 1.0);
+    if (!plan) {
+        return std::unexpected(plan.error());
+    }
+    if (!*plan || !isBetter(**plan, best.plan)) {
+        return false;
+    }
+    best.plan = **std::move(plan);
+    return true;
 }
 
 /// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
