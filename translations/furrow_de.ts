@@ -426,65 +426,6 @@
     </message>
 </context>
 <context>
-    <name>SketchHint</name>
-    <message>
-        <source>Click the first corner of the field</source>
-        <translation>Auf die erste Ecke des Schlags klicken</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the hole</source>
-        <translation>Auf die erste Ecke der Aussparung klicken</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the obstacle</source>
-        <translation>Auf die erste Ecke des Hindernisses klicken</translation>
-    </message>
-    <message>
-        <source>Click on the boundary where the gate is</source>
-        <translation>Auf der Feldgrenze klicken, wo die Zufahrt ist</translation>
-    </message>
-    <message>
-        <source>Click where the AB line begins</source>
-        <translation>Klicken, wo die AB-Linie beginnt</translation>
-    </message>
-    <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Drücken und mit dem Zeiger nachfahren</translation>
-    </message>
-    <message>
-        <source>Length of the next edge</source>
-        <translation>Länge der nächsten Kante</translation>
-    </message>
-    <message>
-        <source>Direction of the next edge</source>
-        <translation>Richtung der nächsten Kante</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Freihand</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>Close boundary</source>
-        <translation>Grenze schließen</translation>
-    </message>
-    <message>
-        <source>Click where the split line begins</source>
-        <translation>Klicken, wo die Teilungslinie beginnt</translation>
-    </message>
-</context>
-<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -509,6 +450,20 @@
     <message>
         <source>Sample field %1</source>
         <translation>Beispielschlag %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Ein anderes Format oder Terminal wählen und dies melden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Die Dateien wurden auf %n Art von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
+            <numerusform>Die Dateien wurden auf %n Arten von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -691,6 +646,25 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Hinweis %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luftbild hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Bilder und Höhen (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Ordner mit Kacheln hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -1279,6 +1253,21 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: Furrow wählen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breit</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>dauert %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>geplant %1</translation>
     </message>
 </context>
 <context>
@@ -2944,10 +2933,6 @@
     <message>
         <source>The stated speed is up to %1 above the machine&apos;s.</source>
         <translation>Die angegebene Geschwindigkeit liegt bis zu %1 über der der Maschine.</translation>
-    </message>
-    <message>
-        <source>The steering has to turn faster than this machine can in %1.</source>
-        <translation>An %1 muss schneller gelenkt werden, als diese Maschine kann.</translation>
     </message>
     <message>
         <source>The strip kept for turning.</source>
@@ -5028,10 +5013,6 @@
         <translation>„%1“ auf „%2“ setzen: Damit ist das behoben.</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer.</source>
-        <translation>Dort langsamer fahren oder zum Lenken anhalten.</translation>
-    </message>
-    <message>
         <source>Swaths along the longest edge</source>
         <translation>Spuren entlang der längsten Kante</translation>
     </message>
@@ -5151,6 +5132,18 @@
         <source>The kind below with which the whole plan takes the least time.</source>
         <translation>Die Art, mit der der ganze Plan am wenigsten Zeit braucht.</translation>
     </message>
+    <message>
+        <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
+        <translation>Vorgewende: %1. Es wird statt eines geplant, das breit genug zum Wenden ist: %2</translation>
+    </message>
+    <message>
+        <source>Drive more slowly there, or plan again.</source>
+        <translation>Dort langsamer fahren oder neu planen.</translation>
+    </message>
+    <message>
+        <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
+        <translation>Die Lenkung ist für die geplante Geschwindigkeit zu langsam (%1); am schlimmsten ist es hier: %2. Dort wären %3 nötig.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5223,25 +5216,6 @@
     <message>
         <source>Save the project</source>
         <translation>Projekt speichern</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryDialogs</name>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Add imagery</source>
-        <translation>Luftbild hinzufügen</translation>
-    </message>
-    <message>
-        <source>Pictures and heights (%1)</source>
-        <translation>Bilder und Höhen (%1)</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles</source>
-        <translation>Ordner mit Kacheln hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -5320,6 +5294,65 @@
     <message>
         <source>Ctrl K</source>
         <translation>Strg K</translation>
+    </message>
+</context>
+<context>
+    <name>SketchHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Auf die erste Ecke des Schlags klicken</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Auf die erste Ecke der Aussparung klicken</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Auf die erste Ecke des Hindernisses klicken</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Auf der Feldgrenze klicken, wo die Zufahrt ist</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Klicken, wo die AB-Linie beginnt</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Drücken und mit dem Zeiger nachfahren</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Länge der nächsten Kante</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Richtung der nächsten Kante</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Freihand</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Grenze schließen</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Klicken, wo die Teilungslinie beginnt</translation>
     </message>
 </context>
 <context>
@@ -5790,6 +5823,35 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Schlag %1 hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag hinzufügen</numerusform>
+            <numerusform>%n Schläge hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Schlag %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>auf der Karte gezeichnet</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FiguresModel</name>
     <message>
         <source>Area</source>
@@ -5976,35 +6038,6 @@
             <numerusform>%n Problem</numerusform>
             <numerusform>%n Probleme</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>furrow::FieldOpener</name>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n Datei</numerusform>
-            <numerusform>%n Dateien</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Schlag %1 hinzufügen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>%n Schlag hinzufügen</numerusform>
-            <numerusform>%n Schläge hinzufügen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Schlag %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>auf der Karte gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -6302,35 +6335,6 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Noch einmal schreiben, wenn der Plan fertig ist.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message>
-        <source>Choose another format or terminal, and report this.</source>
-        <translation>Ein anderes Format oder Terminal wählen und dies melden.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>Die Dateien wurden auf %n Art von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
-            <numerusform>Die Dateien wurden auf %n Arten von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlanTitle</name>
-    <message>
-        <source>%1 wide</source>
-        <translation>%1 breit</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>dauert %1</translation>
-    </message>
-    <message>
-        <source>planned %1</source>
-        <translation>geplant %1</translation>
     </message>
 </context>
 </TS>

@@ -426,65 +426,6 @@
     </message>
 </context>
 <context>
-    <name>SketchHint</name>
-    <message>
-        <source>Click the first corner of the field</source>
-        <translation>Haga clic en la primera esquina de la parcela</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the hole</source>
-        <translation>Haga clic en la primera esquina del hueco</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the obstacle</source>
-        <translation>Haga clic en la primera esquina del obstáculo</translation>
-    </message>
-    <message>
-        <source>Click on the boundary where the gate is</source>
-        <translation>Haga clic en el límite donde está la entrada</translation>
-    </message>
-    <message>
-        <source>Click where the AB line begins</source>
-        <translation>Haga clic donde empieza la línea AB</translation>
-    </message>
-    <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Pulse y siga el contorno con el puntero</translation>
-    </message>
-    <message>
-        <source>Length of the next edge</source>
-        <translation>Longitud del lado siguiente</translation>
-    </message>
-    <message>
-        <source>Direction of the next edge</source>
-        <translation>Dirección del lado siguiente</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Añadir</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>A mano alzada</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Terminar</translation>
-    </message>
-    <message>
-        <source>Close boundary</source>
-        <translation>Cerrar el límite</translation>
-    </message>
-    <message>
-        <source>Click where the split line begins</source>
-        <translation>Haga clic donde empieza la línea de división</translation>
-    </message>
-</context>
-<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -509,6 +450,20 @@
     <message>
         <source>Sample field %1</source>
         <translation>Parcela de ejemplo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Elija otro formato o terminal e informe de esto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Se ha buscado en los archivos %n tipo de error con el que tropiezan los receptores; no hay ninguno.</numerusform>
+            <numerusform>Se han buscado en los archivos %n tipos de errores con los que tropiezan los receptores; no hay ninguno.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -691,6 +646,25 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Aviso %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Añadir imágenes</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Imágenes y alturas (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Añadir una carpeta de teselas</translation>
     </message>
 </context>
 <context>
@@ -1279,6 +1253,21 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: que elija Furrow</translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de ancho</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>dura %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>planificado el %1</translation>
     </message>
 </context>
 <context>
@@ -2944,10 +2933,6 @@
     <message>
         <source>The stated speed is up to %1 above the machine&apos;s.</source>
         <translation>La velocidad indicada supera hasta en %1 la de la máquina.</translation>
-    </message>
-    <message>
-        <source>The steering has to turn faster than this machine can in %1.</source>
-        <translation>Hay que girar la dirección más rápido de lo que puede esta máquina en %1.</translation>
     </message>
     <message>
         <source>The strip kept for turning.</source>
@@ -5028,10 +5013,6 @@
         <translation>Ponga «%1» en «%2»: con eso queda resuelto.</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer.</source>
-        <translation>Vaya más despacio allí o deténgase para girar.</translation>
-    </message>
-    <message>
         <source>Swaths along the longest edge</source>
         <translation>Las pasadas a lo largo del borde más largo</translation>
     </message>
@@ -5151,6 +5132,18 @@
         <source>The kind below with which the whole plan takes the least time.</source>
         <translation>El tipo con el que el plan entero lleva menos tiempo.</translation>
     </message>
+    <message>
+        <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
+        <translation>Se planifica una cabecera de %1 en lugar de una bastante ancha para girar: %2</translation>
+    </message>
+    <message>
+        <source>Drive more slowly there, or plan again.</source>
+        <translation>Conduzca más despacio allí o planifique de nuevo.</translation>
+    </message>
+    <message>
+        <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
+        <translation>La dirección es demasiado lenta para la velocidad planificada en %1; lo peor es %2, que necesitaría %3.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5223,25 +5216,6 @@
     <message>
         <source>Save the project</source>
         <translation>Guardar el proyecto</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryDialogs</name>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Add imagery</source>
-        <translation>Añadir imágenes</translation>
-    </message>
-    <message>
-        <source>Pictures and heights (%1)</source>
-        <translation>Imágenes y alturas (%1)</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles</source>
-        <translation>Añadir una carpeta de teselas</translation>
     </message>
 </context>
 <context>
@@ -5320,6 +5294,65 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SketchHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Haga clic en la primera esquina de la parcela</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Haga clic en la primera esquina del hueco</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Haga clic en la primera esquina del obstáculo</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Haga clic en el límite donde está la entrada</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Haga clic donde empieza la línea AB</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Pulse y siga el contorno con el puntero</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Longitud del lado siguiente</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Dirección del lado siguiente</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>A mano alzada</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Cerrar el límite</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Haga clic donde empieza la línea de división</translation>
     </message>
 </context>
 <context>
@@ -5790,6 +5823,35 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n archivo</numerusform>
+            <numerusform>%n archivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Añadir la parcela %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Añadir %n parcela</numerusform>
+            <numerusform>Añadir %n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Parcela %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>dibujada en el mapa</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FiguresModel</name>
     <message>
         <source>Area</source>
@@ -5976,35 +6038,6 @@
             <numerusform>%n problema</numerusform>
             <numerusform>%n problemas</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>furrow::FieldOpener</name>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n archivo</numerusform>
-            <numerusform>%n archivos</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Añadir la parcela %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>Añadir %n parcela</numerusform>
-            <numerusform>Añadir %n parcelas</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Parcela %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>dibujada en el mapa</translation>
     </message>
 </context>
 <context>
@@ -6302,35 +6335,6 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Escríbalo de nuevo cuando el plan esté listo.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message>
-        <source>Choose another format or terminal, and report this.</source>
-        <translation>Elija otro formato o terminal e informe de esto.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>Se ha buscado en los archivos %n tipo de error con el que tropiezan los receptores; no hay ninguno.</numerusform>
-            <numerusform>Se han buscado en los archivos %n tipos de errores con los que tropiezan los receptores; no hay ninguno.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlanTitle</name>
-    <message>
-        <source>%1 wide</source>
-        <translation>%1 de ancho</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>dura %1</translation>
-    </message>
-    <message>
-        <source>planned %1</source>
-        <translation>planificado el %1</translation>
     </message>
 </context>
 </TS>

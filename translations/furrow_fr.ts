@@ -426,65 +426,6 @@
     </message>
 </context>
 <context>
-    <name>SketchHint</name>
-    <message>
-        <source>Click the first corner of the field</source>
-        <translation>Cliquer sur le premier angle de la parcelle</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the hole</source>
-        <translation>Cliquer sur le premier angle de l&apos;enclave</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the obstacle</source>
-        <translation>Cliquer sur le premier angle de l&apos;obstacle</translation>
-    </message>
-    <message>
-        <source>Click on the boundary where the gate is</source>
-        <translation>Cliquer sur la limite, là où est l&apos;entrée de parcelle</translation>
-    </message>
-    <message>
-        <source>Click where the AB line begins</source>
-        <translation>Cliquer là où commence la ligne AB</translation>
-    </message>
-    <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Appuyer et suivre le contour avec le pointeur</translation>
-    </message>
-    <message>
-        <source>Length of the next edge</source>
-        <translation>Longueur du côté suivant</translation>
-    </message>
-    <message>
-        <source>Direction of the next edge</source>
-        <translation>Direction du côté suivant</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Ajouter</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>À main levée</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Terminer</translation>
-    </message>
-    <message>
-        <source>Close boundary</source>
-        <translation>Fermer la limite</translation>
-    </message>
-    <message>
-        <source>Click where the split line begins</source>
-        <translation>Cliquer là où commence la ligne de partage</translation>
-    </message>
-</context>
-<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -509,6 +450,20 @@
     <message>
         <source>Sample field %1</source>
         <translation>Parcelle d&apos;exemple %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Choisissez un autre format ou une autre console, et signalez-le.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Les fichiers ont été examinés pour %n type d’erreur sur laquelle butent les récepteurs ; il n’y en a pas.</numerusform>
+            <numerusform>Les fichiers ont été examinés pour %n types d’erreurs sur lesquelles butent les récepteurs ; il n’y en a pas.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -691,6 +646,25 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Remarque %1 : %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Ajouter une imagerie</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Images et altitudes (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Ajouter un dossier de tuiles</translation>
     </message>
 </context>
 <context>
@@ -1279,6 +1253,21 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1 : laisser Furrow choisir</translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de large</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>durée %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>planifié le %1</translation>
     </message>
 </context>
 <context>
@@ -2944,10 +2933,6 @@
     <message>
         <source>The stated speed is up to %1 above the machine&apos;s.</source>
         <translation>La vitesse indiquée dépasse celle de la machine de %1 au plus.</translation>
-    </message>
-    <message>
-        <source>The steering has to turn faster than this machine can in %1.</source>
-        <translation>Il faut braquer plus vite que cette machine ne le peut à %1.</translation>
     </message>
     <message>
         <source>The strip kept for turning.</source>
@@ -5028,10 +5013,6 @@
         <translation>Réglez « %1 » sur « %2 » : cela règle ce point.</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer.</source>
-        <translation>Ralentissez ou arrêtez-vous là pour braquer.</translation>
-    </message>
-    <message>
         <source>Swaths along the longest edge</source>
         <translation>Les passages le long du bord le plus long</translation>
     </message>
@@ -5151,6 +5132,18 @@
         <source>The kind below with which the whole plan takes the least time.</source>
         <translation>Le type avec lequel le plan entier prend le moins de temps.</translation>
     </message>
+    <message>
+        <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
+        <translation>Une fourrière de %1 est planifiée au lieu d’une fourrière assez large pour tourner : %2</translation>
+    </message>
+    <message>
+        <source>Drive more slowly there, or plan again.</source>
+        <translation>Conduisez-y plus lentement ou planifiez à nouveau.</translation>
+    </message>
+    <message>
+        <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
+        <translation>La direction est trop lente pour la vitesse prévue à %1 ; le pire est %2, qui demanderait %3.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5223,25 +5216,6 @@
     <message>
         <source>Save the project</source>
         <translation>Enregistrer le projet</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryDialogs</name>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Add imagery</source>
-        <translation>Ajouter une imagerie</translation>
-    </message>
-    <message>
-        <source>Pictures and heights (%1)</source>
-        <translation>Images et altitudes (%1)</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles</source>
-        <translation>Ajouter un dossier de tuiles</translation>
     </message>
 </context>
 <context>
@@ -5320,6 +5294,65 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SketchHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Cliquer sur le premier angle de la parcelle</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Cliquer sur le premier angle de l&apos;enclave</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Cliquer sur le premier angle de l&apos;obstacle</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Cliquer sur la limite, là où est l&apos;entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Cliquer là où commence la ligne AB</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Appuyer et suivre le contour avec le pointeur</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Longueur du côté suivant</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Direction du côté suivant</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À main levée</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Fermer la limite</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Cliquer là où commence la ligne de partage</translation>
     </message>
 </context>
 <context>
@@ -5790,6 +5823,35 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Ajouter la parcelle %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Ajouter %n parcelle</numerusform>
+            <numerusform>Ajouter %n parcelles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Parcelle %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>dessinée sur la carte</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FiguresModel</name>
     <message>
         <source>Area</source>
@@ -5976,35 +6038,6 @@
             <numerusform>%n problème</numerusform>
             <numerusform>%n problèmes</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>furrow::FieldOpener</name>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n fichier</numerusform>
-            <numerusform>%n fichiers</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Ajouter la parcelle %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>Ajouter %n parcelle</numerusform>
-            <numerusform>Ajouter %n parcelles</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Parcelle %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>dessinée sur la carte</translation>
     </message>
 </context>
 <context>
@@ -6302,35 +6335,6 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Écrivez-le à nouveau quand le plan sera prêt.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message>
-        <source>Choose another format or terminal, and report this.</source>
-        <translation>Choisissez un autre format ou une autre console, et signalez-le.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>Les fichiers ont été examinés pour %n type d’erreur sur laquelle butent les récepteurs ; il n’y en a pas.</numerusform>
-            <numerusform>Les fichiers ont été examinés pour %n types d’erreurs sur lesquelles butent les récepteurs ; il n’y en a pas.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlanTitle</name>
-    <message>
-        <source>%1 wide</source>
-        <translation>%1 de large</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>durée %1</translation>
-    </message>
-    <message>
-        <source>planned %1</source>
-        <translation>planifié le %1</translation>
     </message>
 </context>
 </TS>

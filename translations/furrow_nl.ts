@@ -426,65 +426,6 @@
     </message>
 </context>
 <context>
-    <name>SketchHint</name>
-    <message>
-        <source>Click the first corner of the field</source>
-        <translation>Klik op de eerste hoek van het perceel</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the hole</source>
-        <translation>Klik op de eerste hoek van het gat</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the obstacle</source>
-        <translation>Klik op de eerste hoek van het obstakel</translation>
-    </message>
-    <message>
-        <source>Click on the boundary where the gate is</source>
-        <translation>Klik op de perceelsgrens waar de inrit is</translation>
-    </message>
-    <message>
-        <source>Click where the AB line begins</source>
-        <translation>Klik waar de AB-lijn begint</translation>
-    </message>
-    <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Ingedrukt houden en met de aanwijzer natrekken</translation>
-    </message>
-    <message>
-        <source>Length of the next edge</source>
-        <translation>Lengte van de volgende zijde</translation>
-    </message>
-    <message>
-        <source>Direction of the next edge</source>
-        <translation>Richting van de volgende zijde</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Toevoegen</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Vrije hand</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuleren</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Klaar</translation>
-    </message>
-    <message>
-        <source>Close boundary</source>
-        <translation>Grens sluiten</translation>
-    </message>
-    <message>
-        <source>Click where the split line begins</source>
-        <translation>Klik waar de splitlijn begint</translation>
-    </message>
-</context>
-<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -509,6 +450,20 @@
     <message>
         <source>Sample field %1</source>
         <translation>Voorbeeldperceel %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Kies een ander formaat of een andere terminal en meld dit.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>De bestanden zijn nagekeken op %n soort fout waarover ontvangers struikelen; er is er geen.</numerusform>
+            <numerusform>De bestanden zijn nagekeken op %n soorten fouten waarover ontvangers struikelen; er is er geen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -691,6 +646,25 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Bevinding %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Luchtfoto toevoegen</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Beelden en hoogten (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Map met tegels toevoegen</translation>
     </message>
 </context>
 <context>
@@ -1279,6 +1253,21 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: Furrow laten kiezen</translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breed</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>duurt %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>gepland %1</translation>
     </message>
 </context>
 <context>
@@ -2944,10 +2933,6 @@
     <message>
         <source>The stated speed is up to %1 above the machine&apos;s.</source>
         <translation>De opgegeven snelheid ligt tot %1 boven die van de machine.</translation>
-    </message>
-    <message>
-        <source>The steering has to turn faster than this machine can in %1.</source>
-        <translation>Op %1 moet sneller gestuurd worden dan deze machine kan.</translation>
     </message>
     <message>
         <source>The strip kept for turning.</source>
@@ -5028,10 +5013,6 @@
         <translation>Zet &quot;%1&quot; op &quot;%2&quot;: daarmee is dit verholpen.</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer.</source>
-        <translation>Rijd daar langzamer of stop om te sturen.</translation>
-    </message>
-    <message>
         <source>Swaths along the longest edge</source>
         <translation>Werkgangen langs de langste rand</translation>
     </message>
@@ -5151,6 +5132,18 @@
         <source>The kind below with which the whole plan takes the least time.</source>
         <translation>De soort waarmee het hele plan de minste tijd kost.</translation>
     </message>
+    <message>
+        <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
+        <translation>Er wordt een kopakker van %1 gepland in plaats van een die breed genoeg is om te keren: %2</translation>
+    </message>
+    <message>
+        <source>Drive more slowly there, or plan again.</source>
+        <translation>Rijd daar langzamer of plan opnieuw.</translation>
+    </message>
+    <message>
+        <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
+        <translation>De besturing is te traag voor de geplande snelheid op %1; het ergst is %2, daar zou %3 nodig zijn.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5223,25 +5216,6 @@
     <message>
         <source>Save the project</source>
         <translation>Project opslaan</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryDialogs</name>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle bestanden (*)</translation>
-    </message>
-    <message>
-        <source>Add imagery</source>
-        <translation>Luchtfoto toevoegen</translation>
-    </message>
-    <message>
-        <source>Pictures and heights (%1)</source>
-        <translation>Beelden en hoogten (%1)</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles</source>
-        <translation>Map met tegels toevoegen</translation>
     </message>
 </context>
 <context>
@@ -5320,6 +5294,65 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SketchHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Klik op de eerste hoek van het perceel</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Klik op de eerste hoek van het gat</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Klik op de eerste hoek van het obstakel</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Klik op de perceelsgrens waar de inrit is</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Klik waar de AB-lijn begint</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Ingedrukt houden en met de aanwijzer natrekken</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Lengte van de volgende zijde</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Richting van de volgende zijde</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Toevoegen</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Vrije hand</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Grens sluiten</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Klik waar de splitlijn begint</translation>
     </message>
 </context>
 <context>
@@ -5790,6 +5823,35 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n bestand</numerusform>
+            <numerusform>%n bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Perceel %1 toevoegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>%n perceel toevoegen</numerusform>
+            <numerusform>%n percelen toevoegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Perceel %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>op de kaart getekend</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FiguresModel</name>
     <message>
         <source>Area</source>
@@ -5976,35 +6038,6 @@
             <numerusform>%n probleem</numerusform>
             <numerusform>%n problemen</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>furrow::FieldOpener</name>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n bestand</numerusform>
-            <numerusform>%n bestanden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Perceel %1 toevoegen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>%n perceel toevoegen</numerusform>
-            <numerusform>%n percelen toevoegen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Perceel %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>op de kaart getekend</translation>
     </message>
 </context>
 <context>
@@ -6302,35 +6335,6 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Schrijf het opnieuw als het plan klaar is.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message>
-        <source>Choose another format or terminal, and report this.</source>
-        <translation>Kies een ander formaat of een andere terminal en meld dit.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>De bestanden zijn nagekeken op %n soort fout waarover ontvangers struikelen; er is er geen.</numerusform>
-            <numerusform>De bestanden zijn nagekeken op %n soorten fouten waarover ontvangers struikelen; er is er geen.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlanTitle</name>
-    <message>
-        <source>%1 wide</source>
-        <translation>%1 breed</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>duurt %1</translation>
-    </message>
-    <message>
-        <source>planned %1</source>
-        <translation>gepland %1</translation>
     </message>
 </context>
 </TS>

@@ -426,65 +426,6 @@
     </message>
 </context>
 <context>
-    <name>SketchHint</name>
-    <message>
-        <source>Click the first corner of the field</source>
-        <translation>Clique no primeiro canto do talhão</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the hole</source>
-        <translation>Clique no primeiro canto do vazio</translation>
-    </message>
-    <message>
-        <source>Click the first corner of the obstacle</source>
-        <translation>Clique no primeiro canto do obstáculo</translation>
-    </message>
-    <message>
-        <source>Click on the boundary where the gate is</source>
-        <translation>Clique no limite onde fica a entrada</translation>
-    </message>
-    <message>
-        <source>Click where the AB line begins</source>
-        <translation>Clique onde começa a linha AB</translation>
-    </message>
-    <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Pressione e siga o contorno com o ponteiro</translation>
-    </message>
-    <message>
-        <source>Length of the next edge</source>
-        <translation>Comprimento do próximo lado</translation>
-    </message>
-    <message>
-        <source>Direction of the next edge</source>
-        <translation>Direção do próximo lado</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Adicionar</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>À mão livre</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Concluir</translation>
-    </message>
-    <message>
-        <source>Close boundary</source>
-        <translation>Fechar o limite</translation>
-    </message>
-    <message>
-        <source>Click where the split line begins</source>
-        <translation>Clique onde começa a linha de divisão</translation>
-    </message>
-</context>
-<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -509,6 +450,20 @@
     <message>
         <source>Sample field %1</source>
         <translation>Talhão de exemplo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Escolha outro formato ou terminal e relate isto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Os arquivos foram examinados quanto a %n tipo de erro em que os receptores tropeçam; não há nenhum.</numerusform>
+            <numerusform>Os arquivos foram examinados quanto a %n tipos de erros em que os receptores tropeçam; não há nenhum.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -691,6 +646,25 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Aviso %1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Add imagery</source>
+        <translation>Adicionar imagens</translation>
+    </message>
+    <message>
+        <source>Pictures and heights (%1)</source>
+        <translation>Imagens e altitudes (%1)</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles</source>
+        <translation>Adicionar uma pasta de blocos</translation>
     </message>
 </context>
 <context>
@@ -1279,6 +1253,21 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: deixar o Furrow escolher</translation>
+    </message>
+</context>
+<context>
+    <name>PlanTitle</name>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 de largura</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>leva %1</translation>
+    </message>
+    <message>
+        <source>planned %1</source>
+        <translation>planejado em %1</translation>
     </message>
 </context>
 <context>
@@ -2944,10 +2933,6 @@
     <message>
         <source>The stated speed is up to %1 above the machine&apos;s.</source>
         <translation>A velocidade indicada passa em até %1 a da máquina.</translation>
-    </message>
-    <message>
-        <source>The steering has to turn faster than this machine can in %1.</source>
-        <translation>É preciso esterçar mais rápido do que esta máquina consegue em %1.</translation>
     </message>
     <message>
         <source>The strip kept for turning.</source>
@@ -5028,10 +5013,6 @@
         <translation>Defina &quot;%1&quot; como &quot;%2&quot;: com isso fica resolvido.</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer.</source>
-        <translation>Reduza ali a velocidade ou pare para esterçar.</translation>
-    </message>
-    <message>
         <source>Swaths along the longest edge</source>
         <translation>Passadas ao longo da borda mais longa</translation>
     </message>
@@ -5151,6 +5132,18 @@
         <source>The kind below with which the whole plan takes the least time.</source>
         <translation>O tipo com o qual o plano inteiro leva menos tempo.</translation>
     </message>
+    <message>
+        <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
+        <translation>É planejada uma cabeceira de %1 em vez de uma larga o bastante para as manobras: %2</translation>
+    </message>
+    <message>
+        <source>Drive more slowly there, or plan again.</source>
+        <translation>Dirija mais devagar ali ou planeje de novo.</translation>
+    </message>
+    <message>
+        <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
+        <translation>A direção é lenta demais para a velocidade planejada em %1; o pior é %2, que precisaria de %3.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5223,25 +5216,6 @@
     <message>
         <source>Save the project</source>
         <translation>Salvar o projeto</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryDialogs</name>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos os arquivos (*)</translation>
-    </message>
-    <message>
-        <source>Add imagery</source>
-        <translation>Adicionar imagens</translation>
-    </message>
-    <message>
-        <source>Pictures and heights (%1)</source>
-        <translation>Imagens e altitudes (%1)</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles</source>
-        <translation>Adicionar uma pasta de blocos</translation>
     </message>
 </context>
 <context>
@@ -5320,6 +5294,65 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SketchHint</name>
+    <message>
+        <source>Click the first corner of the field</source>
+        <translation>Clique no primeiro canto do talhão</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the hole</source>
+        <translation>Clique no primeiro canto do vazio</translation>
+    </message>
+    <message>
+        <source>Click the first corner of the obstacle</source>
+        <translation>Clique no primeiro canto do obstáculo</translation>
+    </message>
+    <message>
+        <source>Click on the boundary where the gate is</source>
+        <translation>Clique no limite onde fica a entrada</translation>
+    </message>
+    <message>
+        <source>Click where the AB line begins</source>
+        <translation>Clique onde começa a linha AB</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer</source>
+        <translation>Pressione e siga o contorno com o ponteiro</translation>
+    </message>
+    <message>
+        <source>Length of the next edge</source>
+        <translation>Comprimento do próximo lado</translation>
+    </message>
+    <message>
+        <source>Direction of the next edge</source>
+        <translation>Direção do próximo lado</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Adicionar</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À mão livre</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Concluir</translation>
+    </message>
+    <message>
+        <source>Close boundary</source>
+        <translation>Fechar o limite</translation>
+    </message>
+    <message>
+        <source>Click where the split line begins</source>
+        <translation>Clique onde começa a linha de divisão</translation>
     </message>
 </context>
 <context>
@@ -5790,6 +5823,35 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n arquivo</numerusform>
+            <numerusform>%n arquivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add field %1</source>
+        <translation>Adicionar o talhão %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n field(s)</source>
+        <translation>
+            <numerusform>Adicionar %n talhão</numerusform>
+            <numerusform>Adicionar %n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Talhão %1</translation>
+    </message>
+    <message>
+        <source>drawn on the map</source>
+        <translation>desenhado no mapa</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FiguresModel</name>
     <message>
         <source>Area</source>
@@ -5976,35 +6038,6 @@
             <numerusform>%n problema</numerusform>
             <numerusform>%n problemas</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>furrow::FieldOpener</name>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n arquivo</numerusform>
-            <numerusform>%n arquivos</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add field %1</source>
-        <translation>Adicionar o talhão %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Add %n field(s)</source>
-        <translation>
-            <numerusform>Adicionar %n talhão</numerusform>
-            <numerusform>Adicionar %n talhões</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Field %1</source>
-        <translation>Talhão %1</translation>
-    </message>
-    <message>
-        <source>drawn on the map</source>
-        <translation>desenhado no mapa</translation>
     </message>
 </context>
 <context>
@@ -6302,35 +6335,6 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Grave de novo quando o plano estiver pronto.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message>
-        <source>Choose another format or terminal, and report this.</source>
-        <translation>Escolha outro formato ou terminal e relate isto.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>Os arquivos foram examinados quanto a %n tipo de erro em que os receptores tropeçam; não há nenhum.</numerusform>
-            <numerusform>Os arquivos foram examinados quanto a %n tipos de erros em que os receptores tropeçam; não há nenhum.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlanTitle</name>
-    <message>
-        <source>%1 wide</source>
-        <translation>%1 de largura</translation>
-    </message>
-    <message>
-        <source>takes %1</source>
-        <translation>leva %1</translation>
-    </message>
-    <message>
-        <source>planned %1</source>
-        <translation>planejado em %1</translation>
     </message>
 </context>
 </TS>

@@ -71,6 +71,7 @@ public:
         reportClearance();
         reportUndrivable();
         reportCurvature();
+        reportSteering();
         reportBreaks();
         reportReverse();
         reportDroppedPasses();
@@ -153,6 +154,19 @@ private:
                 message("{} bends with a radius of {:.2f} m; this machine needs {:.2f} m.", named(segment),
                         1.0 / tight.worst, input_.machine->minTurningRadius().si()),
                 "Plan again with this machine's turning radius.", segment);
+        }
+    }
+
+    void reportSteering() {
+        const Trouble& steering = measured_.kinematics.steering;
+        if (steering.count > 0) {
+            add(Severity::Blocking, FindingKind::CurvatureRate, steering.place,
+                message(
+                    "The steering is too slow for the planned speed in {}; {} is the worst and would need "
+                    "{:.2f} m/s.",
+                    placesOf(steering.count), segmentName(input_, steering.segment),
+                    measured_.kinematics.steerableMps),
+                "Drive more slowly there, or plan again.", steering.segment);
         }
     }
 
@@ -291,10 +305,6 @@ private:
 
     void reportNotes() {
         const Kinematics& found = measured_.kinematics;
-        noteTrouble(found.rate, FindingKind::CurvatureRate,
-                    message("The steering has to turn faster than this machine can in {}.",
-                            placesOf(found.rate.count)),
-                    "Slow down or stop there to steer.");
         noteTrouble(found.mismatch, FindingKind::StatedCurvature,
                     message("The stated curvature differs from the path in {}, by up to {:.3f} 1/m.",
                             placesOf(found.mismatch.count), found.mismatch.worst),

@@ -21,6 +21,11 @@ constexpr double kGapM = 2.0;
 constexpr double kShortestWayM = 1e-3;
 constexpr double kCurvatureShare = 1.002;
 constexpr double kSpeedShare = 1.001;
+// Samples show the mean of a step. Noise of positions on short steps is far below the second value.
+constexpr double kSteeringShare = 1.05;
+constexpr double kSteeredAtOnceS = 0.02;
+// Files of others state places to a millimetre.
+constexpr double kPlaceNoiseM = 3e-4;
 
 double wrapped(double angle) {
     return std::remainder(angle, 2.0 * std::numbers::pi);
@@ -32,6 +37,7 @@ struct Step {
     double turnRad = 0.0;
     double jumpM = 0.0;        ///< between the second point and the place to which the first one leads
     double sidewaysRad = 0.0;  ///< between the direction of movement and the heading of the vehicle
+    double changed1pm = 0.0;   ///< the curvature's change from begin to end
 
     bool standsStill() const { return wayM < 1e-9; }
 };
@@ -57,13 +63,31 @@ Step stepBetween(const PathSample& a, const PathSample& b, double gear) {
         const double plain = std::abs(wrapped(moved - middle));
         step.sidewaysRad = std::min(plain, std::abs(wrapped(moved - middle - skew)));
         step.wayM /= std::max(chordShare, 0.5);
+        step.changed1pm = -12.0 * wrapped(moved - middle) / (step.wayM * gear);
     }
     return step;
 }
 
+/// The time that the machine stands between two samples, at the end with speed 0. The acceleration is
+/// constant.
+double standsS(const PathSample& a, const PathSample& b) {
+    const double allS = b.tS - a.tS;
+    const double sum = a.speedMps + b.speedMps;
+    return sum > 1e-9 ? std::max(0.0, allS - 2.0 * (b.sM - a.sM) / sum) : 0.0;
+}
+
+/// The time half-way between two samples.
+double halfWayS(const PathSample& a, const PathSample& b) {
+    const double change = b.speedMps - a.speedMps;
+    const double middle = std::sqrt(0.5 * (a.speedMps * a.speedMps + b.speedMps * b.speedMps));
+    const double share = std::abs(change) > 1e-6 ? (middle - a.speedMps) / change : 0.5;
+    const double stoodS = standsS(a, b);
+    return a.tS + (a.speedMps <= b.speedMps ? stoodS : 0.0) + share * (b.tS - a.tS - stoodS);
+}
+
 struct Limits {
     double curvature1pm = std::numeric_limits<double>::infinity();
-    double rate1pm2 = std::numeric_limits<double>::infinity();
+    bool hasSteering = false;  ///< the machine states how fast it steers
     double lateralMps2 = std::numeric_limits<double>::infinity();
     const Tractor* tractor = nullptr;
 
@@ -93,12 +117,7 @@ Limits limitsOf(const AuditInput& input) {
     limits.tractor = &tractor;
     limits.curvature1pm = 1.0 / input.machine->minTurningRadius().si();
     limits.lateralMps2 = tractor.maxLateralAcceleration.si();
-    if (tractor.maxCurvatureRate) {
-        limits.rate1pm2 = tractor.maxCurvatureRate->si();
-    } else if (tractor.steeringRateRadps) {
-        // curvature = tan(steering) / wheelbase; it changes slowest with the wheels straight.
-        limits.rate1pm2 = *tractor.steeringRateRadps / tractor.wheelbase.si() / tractor.turningSpeed.si();
-    }
+    limits.hasSteering = tractor.maxCurvatureRate || tractor.steeringRateRadps;
     return limits;
 }
 
@@ -118,6 +137,16 @@ public:
     }
 
 private:
+    /// The step before.
+    struct Last {
+        double curvature;
+        double wayM;
+        double ends;  ///< its curvature at its end
+        double halfWayS;
+        double standsAtEndS;
+        double gear;
+    };
+
     void join(const PathSegment& before, const PathSegment& next, std::size_t index) {
         const PathSample& from = before.samples.back();
         const PathSample& to = next.samples.front();
@@ -135,9 +164,11 @@ private:
                 found_.breaks.push_back({Break::Kind::HeadingJump, index, from.position, turn});
             }
         }
-        // Steering may change while the machine stands to change gear.
-        if (gap > kJumpM || turn > kHeadingJumpRad || before.gear != next.gear) {
+        if (gap > kJumpM || turn > kHeadingJumpRad) {
             last_.reset();
+        }
+        if (last_) {
+            last_->standsAtEndS += to.tS - from.tS;
         }
         if (input_.statedMotion && (to.tS < from.tS - 1e-6 || to.sM < from.sM - 1e-6)) {
             found_.time.add(from.tS - to.tS, to.position, index);
@@ -217,12 +248,54 @@ private:
         }
         if (last_) {
             const double rate = std::abs(curvature - last_->curvature) / (0.5 * (step.wayM + last_->wayM));
-            found_.maxRate1pm2 = std::max(found_.maxRate1pm2, rate);
-            if (rate > limits_.rate1pm2 * 1.05) {
-                found_.rate.add(rate, a.position, index);
+            if (last_->gear == gear) {
+                found_.maxRate1pm2 = std::max(found_.maxRate1pm2, rate);
             }
+            checkSteering(*last_, {curvature, step, a, b}, index);
         }
-        last_ = {curvature, step.wayM};
+        const double standsAtEndS = b.speedMps < a.speedMps ? standsS(a, b) : 0.0;
+        last_ = {curvature, step.wayM, curvature + 0.5 * step.changed1pm, halfWayS(a, b), standsAtEndS, gear};
+    }
+
+    struct Present {
+        double curvature;
+        const Step& step;
+        const PathSample& a;
+        const PathSample& b;
+    };
+
+    double steeringS(double from, double to) const {
+        return input_.machine->steeringDuration(Curvature::fromSi(from), Curvature::fromSi(to)).si();
+    }
+
+    /// The time from the middle of one step to the middle of the next, and the time that the machine stands
+    /// between them if the curvature jumps there. Long steps show a jump, short ones a change.
+    void checkSteering(const Last& last, const Present& now, std::size_t index) {
+        if (!limits_.hasSteering) {
+            return;
+        }
+        const auto check = [&](double needsS, double hasS) {
+            if (needsS <= kSteeringShare * hasS + kSteeredAtOnceS) {
+                return false;
+            }
+            const double times = std::min(needsS / std::max(hasS, 1e-9), 1e6);
+            if (found_.steering.count == 0 || times > found_.steering.worst) {
+                found_.steerableMps = std::max(now.a.speedMps, now.b.speedMps) / times;
+            }
+            found_.steering.add(times, now.a.position, index);
+            return true;
+        };
+        if (check(steeringS(last.curvature, now.curvature), halfWayS(now.a, now.b) - last.halfWayS)) {
+            return;
+        }
+        const auto noise = [](double wayM) { return 12.0 * kPlaceNoiseM / (wayM * wayM); };
+        const double begins = now.curvature - 0.5 * now.step.changed1pm;
+        const double jump = std::abs(begins - last.ends) - noise(last.wayM) - noise(now.step.wayM);
+        if (jump > 0.0) {
+            const double standsFirstS = now.a.speedMps <= now.b.speedMps ? standsS(now.a, now.b) : 0.0;
+            check(steeringS(last.ends, begins) * jump / std::abs(begins - last.ends),
+                  last.standsAtEndS + standsFirstS);
+        }
     }
 
     void checkTime(const PathSample& a, const PathSample& b, std::size_t index) {
@@ -235,11 +308,6 @@ private:
             found_.time.add(std::abs(time), a.position, index);
         }
     }
-
-    struct Last {
-        double curvature;
-        double wayM;
-    };
 
     const AuditInput& input_;
     Limits limits_;

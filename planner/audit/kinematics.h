@@ -46,10 +46,13 @@ struct Kinematics {
     std::vector<Break> breaks;
     std::vector<std::pair<std::size_t, Trouble>> tooTight;  ///< by segment; value 1/m
     Trouble mismatch;                                       ///< stated curvature differs, 1/m
-    Trouble rate;                                           ///< above the machine's, 1/m²
-    Trouble speed;                                          ///< above the machine's, by m/s
-    Trouble lateral;                                        ///< lateral acceleration, m/s²
-    Trouble time;                                           ///< runs backwards or contradicts the speed, s
+    /// The steering is too slow for the curvature at the stated speed. The value is how many times faster it
+    /// would have to be.
+    Trouble steering;
+    double steerableMps = 0.0;  ///< the speed that would do at the worst place
+    Trouble speed;              ///< above the machine's, by m/s
+    Trouble lateral;            ///< lateral acceleration, m/s²
+    Trouble time;               ///< runs backwards or contradicts the speed, s
     Point reversedPlace;
 };
 

@@ -25,9 +25,10 @@ Curve partOf(const Curve& line, Length from, Length to) {
                 part.start = advanced(pose, piece, begin);
                 begun = true;
             }
-            CurvePiece kept = piece;
-            kept.length = end - begin;
-            part.pieces.push_back(kept);
+            part.pieces.push_back({.length = end - begin,
+                                   .curvature = piece.curvatureAt(begin),
+                                   .endCurvature = piece.curvatureAt(end),
+                                   .gear = piece.gear});
         }
         pose = advanced(pose, piece, piece.length);
         way += piece.length;
@@ -65,7 +66,7 @@ Curve extended(const Curve& line, Length before, Length after) {
 Curvature sharpestBend(const Curve& line) {
     double most = 0.0;
     for (const CurvePiece& piece : line.pieces) {
-        most = std::max(most, std::abs(piece.curvature.si()));
+        most = std::max({most, std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si())});
     }
     return Curvature::fromSi(most);
 }

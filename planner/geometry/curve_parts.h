@@ -4,13 +4,11 @@
 
 namespace furrow {
 
-// For lines of straights and arcs in forward gear. No bend is sharper than the requested offsets allow.
-
 /// The part of the line between `from` and `to`, both within its length. Pieces without length are left out.
 Curve partOf(const Curve& line, Length from, Length to);
 
-/// The parallel line at this distance to the left (negative: to the right). Precondition: no arc to that side
-/// has a smaller radius.
+/// The parallel line at this distance to the left (negative: to the right). Preconditions: straights and arcs
+/// in forward gear, and no arc to that side has a smaller radius.
 Curve movedLeft(const Curve& line, Length left);
 
 /// The line with straight stretches before and after it.

@@ -42,12 +42,15 @@ bool isAt(const RoundedCorner& corner, Point place, const Machine& machine) {
 Result<ClosedRing> ringWith(const PassTask& task, Length inset, int ring, const CornerRules& corners,
                             CornerWays& ways, const JobContext& job) {
     const Machine& machine = task.machine;
-    const auto tracks = passTracks(task.workable, inset + corners.beside, task.drivable, machine,
-                                   {.beside = corners.beside,
-                                    .driven = corners.driven,
-                                    .followsEdges = corners.followsEdges,
-                                    .movesIn = corners.movesIn},
-                                   job);
+    const auto tracks =
+        passTracks(task.workable, inset + corners.beside, task.drivable, machine,
+                   {.beside = corners.beside,
+                    .driven = corners.driven,
+                    .followsEdges = corners.followsEdges,
+                    .movesIn = corners.movesIn,
+                    .isSteered = corners.movesIn && (corners.method == CornerMethod::Rounded ||
+                                                     corners.method == CornerMethod::Searched)},
+                   job);
     if (!tracks) {
         return std::unexpected(tracks.error());
     }

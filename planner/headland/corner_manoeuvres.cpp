@@ -45,7 +45,8 @@ Pose poseBefore(const Curve& line, std::size_t piece) {
 /// The same closed line, starting at its first straight. So its start does not cut a corner in two.
 Curve fromAStraight(const Curve& line) {
     const auto first = std::ranges::find_if(line.pieces, [](const CurvePiece& piece) {
-        return piece.curvature == Curvature{} && piece.length.si() >= kLeastStraightM;
+        return piece.curvature == Curvature{} && piece.endCurvature == Curvature{} &&
+               piece.length.si() >= kLeastStraightM;
     });
     if (first == line.pieces.end()) {
         return line;
@@ -139,7 +140,8 @@ Curve CornerWays::between(const Rig& rig, const Pose& from, const Pose& to, cons
 std::vector<RoundedCorner> roundedCorners(const Curve& line, Length radius) {
     std::vector<RoundedCorner> corners;
     const auto isSharp = [&](const CurvePiece& piece) {
-        return std::abs(piece.curvature.si()) > 1.0 / (kCornerRadii * radius.si());
+        return std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si())) >
+               1.0 / (kCornerRadii * radius.si());
     };
     for (std::size_t i = 0; i < line.pieces.size();) {
         if (!isSharp(line.pieces[i])) {
@@ -154,7 +156,7 @@ std::vector<RoundedCorner> roundedCorners(const Curve& line, Length radius) {
             if (!isSharp(piece) && piece.length.si() >= kLeastStraightM) {
                 break;
             }
-            turnRad += piece.curvature.si() * piece.length.si();
+            turnRad += 0.5 * (piece.curvature + piece.endCurvature).si() * piece.length.si();
             arcM += piece.length.si();
             if (isSharp(piece)) {
                 corner.lastPiece = i;

@@ -10,6 +10,7 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/headland/swing_out.h"
 #include "planner/turns/rig.h"
+#include "planner/turns/steered_line.h"
 
 #include <algorithm>
 #include <array>
@@ -99,7 +100,9 @@ std::vector<Excess> excessesAlong(const Curve& line, const Rig& rig, double apar
         double goneM = 0.0;
         int looked = 0;
         // In bends the corners of the footprint move several times as far as the axle.
-        const double swung = 1.0 + kBendLooks * std::abs(piece.curvature.si()) * apartM;
+        const double swung =
+            1.0 +
+            kBendLooks * std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si())) * apartM;
         // One test of a whole straight is cheaper than samples along it.
         const bool isStraight = piece.curvature == Curvature{} && piece.endCurvature == Curvature{};
         if (how == Look::Closely || isStraight) {
@@ -296,16 +299,26 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
             std::ranges::transform(tracks->lines, tracks->lines.begin(),
                                    [&rig](const Curve& line) { return swungOut(line, rig); });
         }
+        // Beside a corner, where a ring begins before it is eased.
+        std::vector<Point> begins;
+        std::ranges::transform(tracks->lines, std::back_inserter(begins),
+                               [](const Curve& line) { return line.start.position; });
+        if (rules.isSteered) {
+            std::ranges::transform(tracks->lines, tracks->lines.begin(), [&](const Curve& line) {
+                return steeredRing(line, machine, [&](Point place) { return following.leavesOut(place); });
+            });
+        }
         const auto look = [&](Look how, const std::function<bool(Point)>& looksAt) {
             std::vector<Excess> excesses;
-            for (const Curve& line : tracks->lines) {
+            for (std::size_t i = 0; i < tracks->lines.size(); ++i) {
+                const Curve& line = tracks->lines[i];
                 std::vector<Excess> found = excessesAlong(line, rig, 0.5 * reachM, how, looksAt, job);
                 std::erase_if(found, [&](const Excess& excess) { return following.leavesOut(excess.place); });
                 std::ranges::copy(found, std::back_inserter(excesses));
                 const bool canBeLeft =
                     std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
                 if (round == 0 && touches && !canBeLeft && rules.driven.empty()) {
-                    excesses.push_back({line.start.position, kReserveFactor * swingM + kReserveM, 0.0});
+                    excesses.push_back({begins[i], kReserveFactor * swingM + kReserveM, 0.0});
                 }
             }
             return excesses;

@@ -19,6 +19,9 @@ struct TrackRules {
     /// rounding.
     bool followsEdges = true;
     bool movesIn = true;  ///< at places where tail or nose would swing out
+    /// The curvature changes no faster than the steering follows, but for the driven corners. If false, it
+    /// jumps between straights and arcs, so that corners can be told from them.
+    bool isSteered = false;
 };
 
 /// The lines of one headland pass: one closed line for the boundary, counter-clockwise, and one for each

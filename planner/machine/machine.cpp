@@ -11,6 +11,9 @@ namespace {
 // 2) falls with exp(-s / l).
 constexpr double kLengthsToComeIntoLine = 1.5;
 
+/// Largest part of the radius that is kept for steering.
+constexpr double kMostReserve = 0.05;
+
 /// Time from straight wheels to full lock, if the machine gives no rate.
 constexpr Duration kFullLockTime = seconds(2.0);
 
@@ -83,6 +86,13 @@ Result<void> checkSteering(const Tractor& tractor) {
     return {};
 }
 
+/// The speed for which the change of the curvature along the way is stated.
+Speed steeredSpeed(const Machine& machine) {
+    const Tractor& tractor = machine.spec().tractor;
+    return tractor.canReverse ? std::max(machine.turningSpeed(), tractor.reverseSpeed)
+                              : machine.turningSpeed();
+}
+
 }  // namespace
 
 Result<Machine> Machine::create(const MachineSpec& spec) {
@@ -121,11 +131,22 @@ CurvatureRate Machine::maxCurvatureRate() const {
     if (tractor.maxCurvatureRate) {
         return *tractor.maxCurvatureRate;
     }
-    const Speed speed = tractor.canReverse ? std::max(turningSpeed(), tractor.reverseSpeed) : turningSpeed();
+    const Speed speed = steeredSpeed(*this);
     // The curvature is tan(steering angle) / wheelbase. Its derivative has 1 / cos² >= 1 as a factor.
     const double steered = tractor.steeringRateRadps ? *tractor.steeringRateRadps / tractor.wheelbase.si()
                                                      : 1.0 / (kFullLockTime.si() * minTurningRadius().si());
     return CurvatureRate::fromSi(steered / speed.si());
+}
+
+Duration Machine::steeringDuration(Curvature from, Curvature to) const {
+    const Tractor& tractor = spec_.tractor;
+    if (tractor.maxCurvatureRate || !tractor.steeringRateRadps) {
+        const double perSecond = maxCurvatureRate().si() * steeredSpeed(*this).si();
+        return seconds(std::abs((to - from).si()) / perSecond);
+    }
+    const double wheelbaseM = tractor.wheelbase.si();
+    const double turned = std::atan(wheelbaseM * to.si()) - std::atan(wheelbaseM * from.si());
+    return seconds(std::abs(turned) / *tractor.steeringRateRadps);
 }
 
 Speed Machine::turningSpeed() const {
@@ -161,6 +182,17 @@ Machine Machine::folded() const {
 
 Length Machine::workingFootprintWidth() const {
     return std::max(spec_.tractor.width, spec_.implement.operatingWidth);
+}
+
+Machine Machine::withSteeringReserve() const {
+    const Length radius = minTurningRadius();
+    const Length steered =
+        metres(steeringDuration({}, Curvature::fromSi(1.0 / radius.si())).si() * turningSpeed().si());
+    Machine other = *this;
+    // Over a way w to the curvature k, an arc moves by k w² / 24, and a little more.
+    other.spec_.tractor.minTurningRadius =
+        radius + std::min(metres(steered.si() * steered.si() / (20.0 * radius.si())), kMostReserve * radius);
+    return other;
 }
 
 Ring Machine::turningFootprint() const {

@@ -108,6 +108,9 @@ public:
     /// straight, where the change is slowest. Otherwise from straight to the smallest radius within two
     /// seconds.
     CurvatureRate maxCurvatureRate() const;
+    /// The time in which the steering gets from one curvature to another, driving or standing. From the
+    /// steering rate and the wheelbase, or from the curvature rate at the turning speed.
+    Duration steeringDuration(Curvature from, Curvature to) const;
     /// The turning speed, or less if the lateral acceleration would be too large at the smallest radius.
     Speed turningSpeed() const;
     /// The straight distance before the implement is lowered: as given, and for a trailed one at least enough
@@ -121,6 +124,9 @@ public:
     Machine folded() const;
     /// Width of tractor and lowered implement, whichever is more.
     Length workingFootprintWidth() const;
+    /// The same machine with room for steering in its turns: its radius is larger by what a turn on full lock
+    /// moves inwards while the steering goes there.
+    Machine withSteeringReserve() const;
     /// The occupied area while turning, counter-clockwise, reference point at the origin, nose to +x. A
     /// trailed implement counts as rigid; the audit follows its own track.
     Ring turningFootprint() const;

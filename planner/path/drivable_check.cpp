@@ -25,6 +25,9 @@ constexpr Length kPassStep = metres(0.5);
 constexpr Length kAnyStep = metres(1e6);
 // A trailed implement with a smaller angle to the tractor is in line.
 constexpr double kInLineRad = 1e-3;
+// Over shorter ways, rounding of headings hides the curvature.
+constexpr double kShortestWayM = 1e-3;
+constexpr double kSameTurnRad = 1e-9;
 // A smaller excess of passes and ways along the edge comes from drawing, as in the audit.
 constexpr Length kDrawing = metres(0.01);
 
@@ -61,6 +64,22 @@ struct Shapes {
     Ring lowered;
 };
 
+/// The curvature just before the second of two samples. A sample states the one after it, so this follows
+/// from the turn between them.
+Curvature endCurvature(const PathSample& from, const PathSample& to, Gear gear) {
+    const double wayM = to.sM - from.sM;
+    if (wayM < kShortestWayM) {
+        return Curvature::fromSi(from.curvature1pm);
+    }
+    const double turned = std::remainder(to.headingRad - from.headingRad, 2.0 * std::numbers::pi);
+    // Straights and arcs stay what they are.
+    const double bent = (gear == Gear::Forward ? 1.0 : -1.0) * turned / wayM;
+    if (std::abs(bent - from.curvature1pm) * wayM < kSameTurnRad) {
+        return Curvature::fromSi(from.curvature1pm);
+    }
+    return Curvature::fromSi(2.0 * bent - from.curvature1pm);
+}
+
 /// The states of tractor and implement along a segment: at every sample, no farther apart than `step`, and
 /// close together while a trailed implement is not in line. `implement` continues from segment to segment.
 std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shapes, Length step,
@@ -75,8 +94,10 @@ std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shap
         const Pose start = poseAt(from);
         const Length way = metres(segment.samples[i].sM - from.sM);
         const Curvature curvature = Curvature::fromSi(from.curvature1pm);
-        const CurvePiece piece{
-            .length = way, .curvature = curvature, .endCurvature = curvature, .gear = segment.gear};
+        const CurvePiece piece{.length = way,
+                               .curvature = curvature,
+                               .endCurvature = endCurvature(from, segment.samples[i], segment.gear),
+                               .gear = segment.gear};
         // At least once: on the spot only the heading changes.
         Length gone;
         do {
@@ -84,7 +105,8 @@ std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shap
             if (shapes.trailer) {
                 const double askew =
                     std::remainder((implement - states.back().tractor.heading).si(), 2.0 * std::numbers::pi);
-                if (std::abs(askew) > kInLineRad || curvature != Curvature{}) {
+                if (std::abs(askew) > kInLineRad || curvature != Curvature{} ||
+                    piece.endCurvature != Curvature{}) {
                     next = std::min(next, gone + shapes.trailer->longestStep());
                 }
             }

@@ -2,7 +2,6 @@
 
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
-#include "planner/path/speed_profile.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/manoeuvre_search.h"
 
@@ -43,8 +42,8 @@ WayFinder waysBy(TurnPlanner* turn, const Machine& machine) {
     };
 }
 
-Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
-                       const JobContext& job) {
+Result<std::vector<Leg>> joinedLegs(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
+                                    const JobContext& job) {
     const std::size_t gaps = legs.empty() ? 0 : legs.size() - 1;
     const Length longest =
         kTransferRadii * machine.minTurningRadius() + kTransferWidths * machine.operatingWidth();
@@ -74,7 +73,7 @@ Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const 
             all.push_back(std::move(*(*ways)[i]));
         }
     }
-    return withSpeeds(all, machine);
+    return all;
 }
 
 }  // namespace furrow

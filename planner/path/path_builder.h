@@ -28,15 +28,9 @@ using WayFinder = std::function<Curve(const Leg& leaving, const Leg& arriving, c
 /// Turns of one kind in free space.
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine);
 
-/// The line that the machine drives: these legs in their order, joined by ways where a leg does not begin at
-/// the end of the one before.
-///
-/// @return segments in driving order, sampled at every change of curvature. Chords between samples stay
-/// within 5 mm of the curve. Position is continuous; heading too, unless the turns are `straight`.
-/// Speed starts and ends at 0 and stops where gear or heading change. It obeys the limits for work, turns,
-/// reversing, sideways and lengthwise acceleration. A turn lasts at least until the implement is lifted and
-/// lowered. Between two samples the acceleration is constant. Cost: O(samples). Cancelled.
-Result<Path> buildPath(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
-                       const JobContext& job);
+/// These legs in their order, joined by ways where a leg does not begin at the end of the one before.
+/// Cancelled.
+Result<std::vector<Leg>> joinedLegs(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
+                                    const JobContext& job);
 
 }  // namespace furrow

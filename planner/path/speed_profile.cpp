@@ -15,8 +15,16 @@ namespace {
 
 // Samples closer than this are the same.
 constexpr double kShortestStepM = 1e-6;
+// A line that is moved by so little is the same: a hundredth of what chords of samples are off.
+constexpr double kUnnoticedM = 5e-5;
+// Below this speed stopping to steer is as quick.
+constexpr double kLeastPassingMps = 0.2;
+// For a derivative, 1/m.
+constexpr double kNextCurvature = 1e-6;
 // A larger difference of heading is a jump: the vehicle turns on the spot.
 constexpr double kHeadingJumpRad = 1e-6;
+// A jump of the curvature that takes the steering less time is drawing.
+constexpr double kSteeredAtOnceS = 1e-3;
 
 /// A stretch between two samples: a line, an arc or a piece of a clothoid.
 struct Step {
@@ -24,6 +32,7 @@ struct Step {
     Pose to;
     CurvePiece piece;
     double limitMps = 0.0;
+    double pauseS = 0.0;  ///< before it: the machine steers standing
 };
 
 /// Steps of one leg in one gear. They become a segment of the path.
@@ -31,7 +40,7 @@ struct Run {
     const Leg* leg = nullptr;
     Gear gear = Gear::Forward;
     std::vector<Step> steps;
-    double pauseS = 0.0;  ///< time before it, on the spot
+    double pauseS = 0.0;  ///< time before it, on the spot, for more than steering
 };
 
 double kindLimit(SegmentKind kind, Gear gear, const Machine& machine) {
@@ -55,6 +64,21 @@ double sidewaysLimit(const CurvePiece& piece, const Machine& machine) {
     return std::sqrt(machine.spec().tractor.maxLateralAcceleration.si() / curvature);
 }
 
+/// The speed at which the steering follows the curvature. The wheels turn fastest where they are straightest.
+double steeredLimit(const CurvePiece& piece, const Machine& machine) {
+    const double from = piece.curvature.si();
+    const double to = piece.endCurvature.si();
+    const double change = std::abs(to - from);
+    if (change == 0.0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double flattest = from * to <= 0.0 ? 0.0 : std::min(std::abs(from), std::abs(to));
+    const Curvature here = Curvature::fromSi(flattest);
+    const double steersS =
+        machine.steeringDuration(here, here + Curvature::fromSi(kNextCurvature)).si() / kNextCurvature;
+    return piece.length.si() / (steersS * change);
+}
+
 /// Adds the leg's samples as steps, split where the gear changes.
 void addRuns(const Leg& leg, double longestMps, const Machine& machine, std::vector<Run>& runs) {
     const std::vector<CurveSample> samples = sampled(leg.line, kChordTolerance);
@@ -74,9 +98,76 @@ void addRuns(const Leg& leg, double longestMps, const Machine& machine, std::vec
     }
 }
 
+/// The way over which steering may go from one curvature to another so that the line moves by no more than
+/// drawing does: over a way w to a curvature larger by k, by k w² / 24.
+double unnoticedWayM(double jump) {
+    return std::sqrt(24.0 * kUnnoticedM / jump);
+}
+
+/// Divides a step in two, at a place within it. False if that place is one of its ends.
+bool split(std::vector<Step>& steps, std::size_t index, double atM) {
+    Step& first = steps[index];
+    if (atM < kShortestStepM || atM > first.piece.length.si() - kShortestStepM) {
+        return false;
+    }
+    const Length way = metres(atM);
+    Step second = first;
+    second.pauseS = 0.0;
+    second.from = advanced(first.from, first.piece, way);
+    second.piece.curvature = first.piece.curvatureAt(way);
+    second.piece.length = first.piece.length - way;
+    first.to = second.from;
+    first.piece.endCurvature = second.piece.curvature;
+    first.piece.length = way;
+    steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(index) + 1, second);
+    return true;
+}
+
+/// Slows a run down before and after the start of a step.
+void slowAround(std::vector<Step>& steps, std::size_t start, double speedMps, double halfM) {
+    split(steps, start, halfM);
+    steps[start].limitMps = std::min(steps[start].limitMps, speedMps);
+    const bool isSplit = split(steps, start - 1, steps[start - 1].piece.length.si() - halfM);
+    Step& before = steps[isSplit ? start : start - 1];
+    before.limitMps = std::min(before.limitMps, speedMps);
+}
+
+/// Where the curvature jumps, the machine stops and steers. At a small jump it only slows down, so that the
+/// wheels turn while it passes. Before it sets off, it is steered already.
+void addSteering(std::vector<Run>& runs, const Machine& machine) {
+    const CurvePiece* before = nullptr;
+    CurvePiece last;
+    for (Run& run : runs) {
+        for (Step& step : run.steps) {
+            step.limitMps = std::min(step.limitMps, steeredLimit(step.piece, machine));
+        }
+        for (std::size_t i = 0; i < run.steps.size(); ++i) {
+            const CurvePiece piece = run.steps[i].piece;
+            const double steersS = before != nullptr
+                                       ? machine.steeringDuration(before->endCurvature, piece.curvature).si()
+                                       : 0.0;
+            if (steersS > kSteeredAtOnceS) {
+                const double jump = std::abs((piece.curvature - before->endCurvature).si());
+                const double halfM =
+                    i > 0 ? std::min({0.5 * unnoticedWayM(jump), piece.length.si(), before->length.si()})
+                          : 0.0;
+                if (halfM > kLeastPassingMps * steersS) {
+                    const std::size_t size = run.steps.size();
+                    slowAround(run.steps, i, halfM / steersS, halfM);
+                    i += run.steps.size() - size;
+                } else {
+                    run.steps[i].pauseS = steersS;
+                }
+            }
+            last = run.steps[i].piece;
+            before = &last;
+        }
+    }
+}
+
 /// The implement is lifted and lowered between two stretches of work. The turn is slow enough for that, or
 /// has a pause if it has no length.
-std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine) {
+std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
     const double handlingS = (machine.spec().implement.liftTime + machine.spec().implement.lowerTime).si();
     std::vector<Run> runs;
     for (const Leg& leg : legs) {
@@ -90,6 +181,9 @@ std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine) {
         if (isHandled && lengthM <= kShortestStepM) {
             runs.back().pauseS = handlingS;
         }
+    }
+    if (steering == SteeringLimit::Kept) {
+        addSteering(runs, machine);
     }
     return runs;
 }
@@ -109,7 +203,7 @@ std::vector<double> speedsAtEnds(std::span<const Run> runs, double acceleration)
             speeds.back() = 0.0;
         }
         for (const Step& step : runs[r].steps) {
-            speeds.back() = std::min(speeds.back(), step.limitMps);
+            speeds.back() = step.pauseS > 0.0 ? 0.0 : std::min(speeds.back(), step.limitMps);
             speeds.push_back(step.limitMps);
             lengths.push_back(step.piece.length.si());
         }
@@ -133,7 +227,8 @@ public:
     explicit PathWriter(double acceleration) : acceleration_{acceleration} {}
 
     void begin(const Run& run, double speedMps) {
-        timeS_ += run.pauseS;
+        // The implement is handled and the wheels are turned at the same time.
+        timeS_ += std::max(run.pauseS, run.steps.front().pauseS);
         path_.segments.push_back(
             {.kind = run.leg->kind,
              .turnType = std::string{run.leg->kind == SegmentKind::Turn ? run.leg->line.type : ""},
@@ -184,6 +279,8 @@ public:
         add(step.to, after, toMps);
     }
 
+    void stand(double pauseS) { timeS_ += pauseS; }
+
     Path take() { return std::move(path_); }
 
 private:
@@ -204,9 +301,9 @@ private:
 
 }  // namespace
 
-Path withSpeeds(std::span<const Leg> legs, const Machine& machine) {
+Path withSpeeds(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
     const double acceleration = machine.spec().tractor.maxAcceleration.si();
-    const std::vector<Run> runs = runsOf(legs, machine);
+    const std::vector<Run> runs = runsOf(legs, machine, steering);
     const std::vector<double> speeds = speedsAtEnds(runs, acceleration);
     PathWriter writer{acceleration};
     std::size_t at = 0;
@@ -214,6 +311,9 @@ Path withSpeeds(std::span<const Leg> legs, const Machine& machine) {
         writer.begin(run, speeds[at]);
         for (std::size_t i = 0; i < run.steps.size(); ++i, ++at) {
             const Step& step = run.steps[i];
+            if (i > 0) {
+                writer.stand(step.pauseS);
+            }
             const bool last = i + 1 == run.steps.size();
             writer.drive(step, speeds[at], speeds[at + 1],
                          last ? step.piece.endCurvature : run.steps[i + 1].piece.curvature);

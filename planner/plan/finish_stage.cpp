@@ -24,6 +24,8 @@ namespace {
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
 constexpr int kFinishingRounds = 6;
+// A driven line begins within this distance of its pass: steering moves it a little.
+constexpr double kSteeredAsideM = 0.5;
 
 /// Ways and passes that leave where the machine may be.
 std::ptrdiff_t outsideIn(const Driven& driven) {
@@ -39,7 +41,7 @@ std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<Hea
     std::vector<HeadlandPass> outside;
     const auto begins = [](const PathSegment* segment, const HeadlandPass& pass) {
         return segment != nullptr && distance(segment->samples.front().position,
-                                              pass.stretches.front().line.start.position) < kMeetM;
+                                              pass.stretches.front().line.start.position) < kSteeredAsideM;
     };
     for (const HeadlandPass& pass : passes) {
         const auto isOutside = [&](std::size_t i) {

@@ -2,6 +2,7 @@
 
 #include "planner/path/driven_parts.h"
 #include "planner/path/headland_order.h"
+#include "planner/path/speed_profile.h"
 #include "planner/path/way_repair.h"
 #include "planner/plan/audit_input.h"
 #include "planner/plan/drive_findings.h"
@@ -18,19 +19,29 @@
 
 namespace furrow {
 
-namespace {}  // namespace
+namespace {
+
+// An eased path is shorter than its legs by less than this.
+constexpr double kEasedShare = 0.995;
+
+}  // namespace
 
 PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
                            const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose)
-    : task_{task}, ground_{ground}, ways_{ways}, chosen_{chosen}, leftOnPurpose_{leftOnPurpose} {}
+    : task_{task},
+      ground_{ground},
+      ways_{ways},
+      chosen_{chosen},
+      leftOnPurpose_{leftOnPurpose},
+      room_{ground, task.request.machine} {}
 
-Result<Path> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
+Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
     const Settings& settings = task_.request.settings;
     const Machine& machine = task_.request.machine;
     const bool fits = settings.flag(kStayInside);
     std::atomic<bool> isWhole{true};
     const auto build = [&](const JobContext& part) {
-        return buildPath(
+        return joinedLegs(
             legs, machine,
             [&](const Leg& from, const Leg& to, const JobContext& piece) {
                 const Pose leaving = from.line.end();
@@ -45,9 +56,9 @@ Result<Path> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job)
             },
             part);
     };
-    auto path = build(job.part(0.0, 0.75));
-    if (!path || !fits || isWhole) {
-        return path;
+    auto all = build(job.part(0.0, 0.75));
+    if (!all || !fits || isWhole) {
+        return all;
     }
     const auto parts = DrivenParts::of(ground_, machine, {}, job);
     if (!parts) {
@@ -80,12 +91,25 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
 Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
                                    std::optional<PlanToBeat> toBeat, const JobContext& job) const {
     Stopwatch watch;
-    auto path = joined(legs, job.part(0.0, 0.4));
+    const PlanRequest& request = task_.request;
+    const auto isSlower = [&](const Path& path, double share) {
+        return toBeat && toBeat->blocking == 0 && share * path.duration() > toBeat->time;
+    };
+    const auto all = joined(legs, job.part(0.0, 0.4));
+    if (!all) {
+        return std::unexpected(all.error());
+    }
+    if (toBeat && isSlower(withSpeeds(*all, request.machine, SteeringLimit::Ignored), kEasedShare)) {
+        return std::unexpected(noBetter(*request.field));
+    }
+    auto path =
+        steerableLegs(*all, room_, job.withoutProgress()).transform([&](const std::vector<Leg>& eased) {
+            return withSpeeds(eased, request.machine);
+        });
     if (!path) {
         return std::unexpected(path.error());
     }
-    const PlanRequest& request = task_.request;
-    if (toBeat && toBeat->blocking == 0 && path->duration() > toBeat->time) {
+    if (isSlower(*path, 1.0)) {
         return std::unexpected(noBetter(*request.field));
     }
     auto findings = foundIn(*path, legs, job.part(0.4, 0.6));

@@ -3,6 +3,7 @@
 #include "planner/path/fitting_ways.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
+#include "planner/path/steerable_legs.h"
 #include "planner/plan/chosen_turns.h"
 #include "planner/plan/plan_to_beat.h"
 #include "planner/plan/stages.h"
@@ -39,7 +40,7 @@ public:
                          std::optional<PlanToBeat> toBeat, const JobContext& job) const;
 
 private:
-    Result<Path> joined(std::vector<Leg>& legs, const JobContext& job) const;
+    Result<std::vector<Leg>> joined(std::vector<Leg>& legs, const JobContext& job) const;
     Result<std::vector<Finding>> foundIn(Path& path, const std::vector<Leg>& legs,
                                          const JobContext& job) const;
 
@@ -48,6 +49,7 @@ private:
     RememberedWays& ways_;
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
+    SteeringRoom room_;
 };
 
 /// The kind of turn for all other ways. It is the chosen kind only if the machine may leave the field.

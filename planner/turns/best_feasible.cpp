@@ -138,33 +138,42 @@ std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& a
     return way;
 }
 
+std::optional<Curve> quickestThatFits(const Rig& rig, const Pose& leaving, const Pose& arriving,
+                                      const Machine& machine) {
+    std::vector<Candidate> turns = candidates(leaving, arriving, machine);
+    const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
+        return rig.driven(Rig::inLine(leaving), candidate.turn).has_value();
+    });
+    return fits != turns.end() ? std::optional{std::move(fits->turn)} : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                        const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     const Machine& machine = rig.machine();
-    std::vector<Candidate> turns = candidates(leaving, arriving, machine);
-    const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
-        return rig.driven(Rig::inLine(leaving), candidate.turn).has_value();
-    });
-    const bool found = fits != turns.end();
-    if (found && !isDear(fits->turn, machine, travel)) {
-        return std::move(fits->turn);
+    std::optional<Curve> turn = quickestThatFits(rig, leaving, arriving, rig.steeredMachine());
+    if (!turn) {
+        turn = quickestThatFits(rig, leaving, arriving, machine);
+    }
+    if (turn && !isDear(*turn, machine, travel)) {
+        return turn;
     }
     auto way = searched(rig, leaving, arriving, travel, job, effort);
-    const bool better = found && (!way || costS(fits->turn, machine, travel) <= costS(*way, machine, travel));
-    return better ? std::optional{std::move(fits->turn)} : way;
+    const bool better = turn && (!way || costS(*turn, machine, travel) <= costS(*way, machine, travel));
+    return better ? turn : way;
 }
 
 std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                  const TravelCost& travel, const Method<TurnPlanner>& kind) {
-    const Machine& machine = rig.machine();
-    Curve turn = connection(leaving, arriving, machine, kind.run);
-    if (turn.type != kind.info.id || isDear(turn, machine, travel) ||
-        !rig.driven(Rig::inLine(leaving), turn)) {
-        return std::nullopt;
+    for (const Machine* const machine : {&rig.steeredMachine(), &rig.machine()}) {
+        Curve turn = connection(leaving, arriving, *machine, kind.run);
+        if (turn.type == kind.info.id && !isDear(turn, *machine, travel) &&
+            rig.driven(Rig::inLine(leaving), turn)) {
+            return turn;
+        }
     }
-    return turn;
+    return std::nullopt;
 }
 
 Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,

@@ -45,6 +45,7 @@ Rig::Part Rig::partOf(Ring shape) {
 
 Rig::Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement)
     : machine_{machine},
+      steered_{machine.withSteeringReserve()},
       trailer_{Trailer::of(machine)},
       tractor_{partOf(tractorShape(machine, trailer_, implement))},
       trailed_{partOf(trailedShape(trailer_, implement))},

@@ -30,6 +30,8 @@ public:
     Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement = ImplementAt::Raised);
 
     const Machine& machine() const { return machine_; }
+    /// The same with room for steering in its turns.
+    const Machine& steeredMachine() const { return steered_; }
     /// In line, as after a straight stretch.
     static RigState inLine(const Pose& pose) { return {pose, pose.heading}; }
 
@@ -81,6 +83,7 @@ private:
     double crossedM(const RigState& state) const;
 
     Machine machine_;
+    Machine steered_;
     std::optional<Trailer> trailer_;
     Part tractor_;  ///< with the implement if that is mounted
     Part trailed_;  ///< with its hitch at the origin

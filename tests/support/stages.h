@@ -5,6 +5,7 @@
 #include "planner/headland/headland.h"
 #include "planner/machine/machine_library.h"
 #include "planner/path/path_builder.h"
+#include "planner/path/speed_profile.h"
 #include "planner/route/route.h"
 #include "planner/settings/method.h"
 #include "planner/swaths/scan_line.h"
@@ -75,7 +76,9 @@ inline QString told(const Route& route) {
 
 inline Result<Path> pathOf(const SwathSet& swaths, const Route& route, const Machine& machine,
                            TurnPlanner* turn, const JobContext& job = {}) {
-    return buildPath(swathLegs(swaths, route, machine), machine, waysBy(turn, machine), job);
+    return joinedLegs(swathLegs(swaths, route, machine), machine, waysBy(turn, machine), job)
+        .transform(
+            [&](const std::vector<Leg>& legs) { return withSpeeds(legs, machine, SteeringLimit::Ignored); });
 }
 
 }  // namespace furrow::test

@@ -112,13 +112,17 @@ private slots:
             const test::PosePair pair = swaths ? test::swathPair(random) : test::randomPair(random);
             const QByteArray told = test::told(kSeed, i, pair);
             const Machine machine = machineOf(pair.radiusM, reverses);
-            double quickestS = secondsOf(dubinsTurn(pair.from, pair.to, metres(pair.radiusM)));
-            if (reverses) {
-                quickestS =
-                    std::min(quickestS, secondsOf(reedsSheppTurn(pair.from, pair.to, metres(pair.radiusM))));
-            }
-            for (const Curve& turn : {kBestFeasibleMethod.run(pair.from, pair.to, machine),
-                                      feasibleConnection(Rig{open, machine}, pair.from, pair.to, {}, {})}) {
+            const auto quickestBy = [&](Length radius) {
+                const double forwardsS = secondsOf(dubinsTurn(pair.from, pair.to, radius));
+                return reverses ? std::min(forwardsS, secondsOf(reedsSheppTurn(pair.from, pair.to, radius)))
+                                : forwardsS;
+            };
+            const std::pair<Curve, double> turns[] = {
+                {kBestFeasibleMethod.run(pair.from, pair.to, machine), quickestBy(metres(pair.radiusM))},
+                // With the reserve for steering.
+                {feasibleConnection(Rig{open, machine}, pair.from, pair.to, {}, {}),
+                 quickestBy(machine.withSteeringReserve().minTurningRadius())}};
+            for (const auto& [turn, quickestS] : turns) {
                 const Pose end = test::driven(turn);
                 VERIFY_TOLD(distance(turn.start.position, pair.from.position) < 1e-9, told);
                 VERIFY_TOLD(
