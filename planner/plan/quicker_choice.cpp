@@ -2,6 +2,7 @@
 
 #include "planner/decomposition/decomposition.h"
 #include "planner/headland/headland_passes.h"
+#include "planner/headland/methods.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
 #include "planner/route/methods.h"
@@ -42,6 +43,9 @@ constexpr double kNearPattern = 0.04;
 // still become the best with corners and an order of its own. Those of a heading change more.
 constexpr double kNearInOrder = 1.02;
 constexpr double kNearInHeading = 1.06;
+// With this share of the field as mainland, another number of headland passes saves little.
+constexpr double kMuchMainland = 0.7;
+constexpr int kTwoPasses = 2;
 
 std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
@@ -97,6 +101,11 @@ Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
     return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
 }
 
+Message fewerPasses(int passes, const Message& reason) {
+    return message("A headland of {} is planned instead of one that is wide enough for turns: {}",
+                   counted("{} pass", "{} passes", passes), reason);
+}
+
 void forget(std::vector<SettingChange>& instead, const Parameter& parameter) {
     std::erase_if(instead, [&](const SettingChange& change) { return change.key == parameter.key; });
 }
@@ -125,6 +134,13 @@ struct Best {
     std::vector<Note> notes = {};
 };
 
+/// Whether two passes of headland take much of the field, or leave the plan blocked. More than two are needed
+/// for turns: fewer of them save no time.
+bool mayHaveFewerPasses(const PlannedStages& plan) {
+    const Headland& headland = *plan.laidOut.headland;
+    return headland.passes == kTwoPasses && (!plan.drivable() || headland.mainlandRatio < kMuchMainland);
+}
+
 /// Compares plans by their stages.
 class Chooser {
 public:
@@ -135,6 +151,9 @@ public:
 
     /// Takes the plan with the simpler choice where that is quicker, each as good as it gets. Cancelled.
     Result<void> trySimpler(Best& best, const SimplerChoice& choice);
+
+    /// Takes the plan with fewer headland passes where that is quicker, each as good as it gets. Cancelled.
+    Result<void> tryFewerPasses(Best& best);
 
 private:
     Result<bool> takeIfBetter(Best& best, const PlanRequest& other);
@@ -302,6 +321,38 @@ Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job
     return tried.transform([&] { return std::move(best); });
 }
 
+Result<void> Chooser::tryFewerPasses(Best& best) {
+    const Settings& asked = best.asked.settings;
+    if (!headlandMethod(asked).traits.isOneWidth || asked.isSet(kHeadlandWidth) ||
+        asked.isSet(kHeadlandPasses)) {
+        return {};
+    }
+    while (mayHaveFewerPasses(best.plan)) {
+        const int passes = best.plan.laidOut.headland->passes - 1;
+        Best other = best;
+        other.asked.settings.set(kHeadlandPasses, static_cast<double>(passes)).value();
+        PlanRequest request = other.asked;
+        request.settings.set(kHeadlandCorner, best.plan.request.settings.choice(kHeadlandCorner)).value();
+        auto plan = nearPlan(best, request, kNearInHeading);
+        if (!plan || !*plan) {
+            return plan.transform([](auto&&) {});
+        }
+        other.plan = **std::move(plan);
+        forget(other.instead, *stageMethod("route"));
+        if (auto decided = decideOrderAndCorners(other); !decided) {
+            return decided;
+        }
+        if (!isBetter(other.plan, best.plan)) {
+            return {};
+        }
+        other.headings = other.plan.laidOut.laid->swaths.candidates;
+        other.notes = {{fewerPasses(passes, reasonFor(other.plan, best.plan)), "instead", {}}};
+        note(other.instead, kHeadlandPasses, std::to_string(passes));
+        best = std::move(other);
+    }
+    return {};
+}
+
 Result<void> Chooser::trySimpler(Best& best, const SimplerChoice& choice) {
     const Parameter& parameter = **findParameter(choice.key);
     if (best.asked.settings.choice(parameter) != choice.chosen) {
@@ -339,6 +390,7 @@ Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& r
     }
     Result<void> tried;
     if (!request.draft && !hasOwnOrder(request.settings)) {
+        tried = chooser.tryFewerPasses(*best);
         for (const SimplerChoice& choice : kSimplerChoices) {
             tried = tried.and_then([&] { return chooser.trySimpler(*best, choice); });
         }
