@@ -339,21 +339,23 @@ private:
             return;
         }
         result.bends.push_back(range);
-        bool reached = false;
+        const auto missingAt = [&](const Pose& end) {
+            return std::pair{goal.position - end.position, wrappedAngle(goal.heading - end.heading).si()};
+        };
         std::vector<Change> changes;
         for (int round = 0; round < kMostRounds; ++round) {
             const Pose end = drive(pieces);
-            const Point missing = goal.position - end.position;
-            const double turn = wrappedAngle(goal.heading - end.heading).si();
+            const auto [missing, turn] = missingAt(end);
             // Derivatives hold for a few steps.
             if (round % kSameDerivatives == 0) {
                 changes = changesOf(pieces, end);
             }
-            reached = norm(missing) < kNearEndM && std::abs(turn) < kNearEndRad;
             if ((norm(missing) < kEndM && std::abs(turn) < kEndRad) || !stretch(changes, missing, turn)) {
                 break;
             }
         }
+        const auto [missing, turn] = missingAt(drive(pieces));
+        const bool reached = norm(missing) < kNearEndM && std::abs(turn) < kNearEndRad;
         const bool keptLengths = std::ranges::all_of(pieces, [](const EasedPiece& piece) {
             const double wasM = piece.toM - piece.fromM;
             return isStraight(piece) || (piece.piece.length.si() >= kLeastLeft * wasM &&
