@@ -304,8 +304,8 @@ private slots:
                     VERIFY_TOLD(apartM < 0.1, told + ", " + QByteArray::number(apartM));
                     const double longerM = (other.length() - line.length()).si();
                     VERIFY_TOLD(std::abs(longerM) < 0.1, told + ", pass " +
-                                                              QByteArray::number(static_cast<int>(k)) + ": " +
-                                                              QByteArray::number(longerM));
+                                                             QByteArray::number(static_cast<int>(k)) + ": " +
+                                                             QByteArray::number(longerM));
                     ++stretches;
                 }
             }
