@@ -8,14 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace furrow {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Places nearer to each other are one.
 constexpr double kSamePlaceM = 1e-7;
 /// A smaller window leaves the curvature as it is.
@@ -82,7 +80,6 @@ public:
     double lengthM() const { return placesM_.back(); }
     const std::vector<CurvePiece>& pieces() const { return pieces_; }
     const std::vector<double>& joints() const { return joints_; }
-    double beginM(std::size_t piece) const { return placesM_[piece]; }
     double endM(std::size_t piece) const { return placesM_[piece + 1]; }
 
     Pose poseAt(double m) const {

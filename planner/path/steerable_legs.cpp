@@ -69,7 +69,7 @@ std::vector<LineRange> withoutOverlaps(std::vector<LineRange> ranges) {
 /// A run of legs without a turn on the spot.
 class SteerableRun {
 public:
-    /// @param room  the rig of each leg
+    /// @param rigs  of each leg
     SteerableRun(std::span<Leg> legs, std::vector<const Rig*> rigs, const JobContext& job)
         : legs_{legs},
           rigs_{std::move(rigs)},
@@ -218,18 +218,13 @@ private:
         }
         const Curve was = partOf(joined_.lines[leg], metres(piece.fromM - joined_.beginM[leg]),
                                  metres(piece.toM - joined_.beginM[leg]));
-        const auto wasInside = [&](Length touching) {
-            RigState at = rig.hasTrailer() ? RigState{was.start, state.implement} : Rig::inLine(was.start);
-            for (const CurvePiece& part : was.pieces) {
-                const auto next = rig.driven(at, part, touching);
-                if (!next) {
-                    return false;
-                }
-                at = *next;
-            }
-            return true;
-        };
-        return rig.driven(state, piece.piece, kDrawing) && !wasInside(metres(kContactM));
+        RigState at = rig.hasTrailer() ? RigState{was.start, state.implement} : Rig::inLine(was.start);
+        const bool wasInside = std::ranges::all_of(was.pieces, [&](const CurvePiece& part) {
+            const auto next = rig.driven(at, part, metres(kContactM));
+            at = next.value_or(at);
+            return next.has_value();
+        });
+        return !wasInside && rig.driven(state, piece.piece, kDrawing);
     }
 
     /// The distance between the eased line and the given one.

@@ -113,7 +113,7 @@ void TestStageCache::onlyWhatDependsIsRunAgain_data() {
     QTest::newRow("where the route begins") << "route.traversal" << "boundary" << false << false << false;
     QTest::newRow("order") << "route.method" << "racetrack" << false << false << true;
     QTest::newRow("swaths") << "swaths.overlap_m" << "0.1" << false << true << true;
-    QTest::newRow("headland") << "headland.width_m" << "9" << true << true << true;
+    QTest::newRow("headland") << "headland.passes" << "3" << true << true << true;
 }
 
 void TestStageCache::onlyWhatDependsIsRunAgain() {
@@ -123,8 +123,9 @@ void TestStageCache::onlyWhatDependsIsRunAgain() {
     QFETCH(bool, swaths);
     QFETCH(bool, route);
     StageCache cache;
-    VERIFY_RESULT(makePlan(requestWith({}), {}, &cache));
-    Given given;
+    // Other numbers of passes and other corners would be compared, each with what is quickest for it.
+    Given given{{"headland.passes", "2"}, {"headland.corner", "rounded"}};
+    VERIFY_RESULT(makePlan(requestWith(given), {}, &cache));
     if (!value.isEmpty()) {
         given.emplace_back(key.toStdString(), value.toStdString());
     }
