@@ -14,6 +14,8 @@ namespace {
 // Shorter stretches are rounding at a corner, not work.
 constexpr double kShortestSwathM = 1e-3;
 constexpr double kMostTracks = 1e6;
+// With fewer vertices all of them are rotated as quickly as they are searched.
+constexpr std::size_t kManyVertices = 400;
 // Land that no swath covers costs its own time. Worked in small pieces, it costs 5 times as much.
 constexpr double kPiecemealFactor = 5.0;
 
@@ -59,29 +61,45 @@ ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
         add(polygon.outer);
         std::ranges::for_each(polygon.holes, add);
     }
+    if (vertices_.size() >= kManyVertices) {
+        tree_ = EdgeTree{vertices_, ringEnds_};
+    }
 }
 
 bool ScanLine::tooManyTracks() const {
     return diameterM_ / (spacing_.width - spacing_.overlap).si() > kMostTracks;
 }
 
-void ScanLine::rotate(Angle heading, Walk& walk) const {
-    const double c = std::cos(heading.si());
-    const double s = std::sin(heading.si());
-    walk.rotated.resize(vertices_.size());
+void ScanLine::turnTo(Angle heading, Walk& walk) const {
+    walk.cosine = std::cos(heading.si());
+    walk.sine = std::sin(heading.si());
     if (spacing_.anchor) {
-        const Point anchor = *spacing_.anchor - origin_;
-        walk.anchorY = c * anchor.y - s * anchor.x;
+        walk.anchorY = walk.turned(*spacing_.anchor - origin_).y;
     }
+}
+
+void ScanLine::rotate(Angle heading, Walk& walk) const {
+    turnTo(heading, walk);
+    walk.rotated.resize(vertices_.size());
     walk.lowY = std::numeric_limits<double>::infinity();
     walk.highY = -walk.lowY;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
-        const Point p = vertices_[i];
-        const Point turned{c * p.x + s * p.y, c * p.y - s * p.x};
+        const Point turned = walk.turned(vertices_[i]);
         walk.rotated[i] = turned;
         walk.lowY = std::min(walk.lowY, turned.y);
         walk.highY = std::max(walk.highY, turned.y);
     }
+}
+
+void ScanLine::rotateForLines(Angle heading, Walk& walk) const {
+    if (tree_.empty()) {
+        rotate(heading, walk);
+        return;
+    }
+    turnTo(heading, walk);
+    walk.rotated.clear();
+    walk.highY = tree_.highest(vertices_, walk.cosine, walk.sine);
+    walk.lowY = -tree_.highest(vertices_, -walk.cosine, -walk.sine);
 }
 
 Length ScanLine::heightAcross(Angle heading) const {
@@ -260,7 +278,7 @@ HeadingFigures ScanLine::lineFigures(Angle heading, SwathObjective objective) co
         return {};
     }
     thread_local Walk walk;
-    rotate(heading, walk);
+    rotateForLines(heading, walk);
     return linesOf(objective, walk);
 }
 

@@ -177,31 +177,50 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     }
 }
 
-/// Finds the crossings of every edge with every centre line, sorted into tracks by counting.
-void ScanLine::findCrossings(Walk& walk) const {
-    const std::size_t trackCount = walk.tracks.size();
+/// Calls visit(low, high, from, to) for every edge that tracks from `low` to before `high` cross. Half-open:
+/// a vertex on a centre line counts for one of its two edges.
+template <class Visit>
+void ScanLine::forEachCrossedEdge(Walk& walk, const Visit& visit) const {
     const Ladder ladder{walk.tracks};
+    const auto offer = [&visit](std::size_t belowA, std::size_t belowB, Point a, Point b) {
+        const auto [low, high] = std::minmax(belowA, belowB);
+        if (low < high) {
+            visit(low, high, a, b);
+        }
+    };
+    if (walk.rotated.empty()) {
+        const auto isCrossed = [&ladder](double low, double high) {
+            return ladder.below(low) != ladder.below(high);
+        };
+        tree_.visitEdges(walk.cosine, walk.sine, isCrossed, [&](std::uint32_t from, std::uint32_t to) {
+            const Point a = walk.turned(vertices_[from]);
+            const Point b = walk.turned(vertices_[to]);
+            offer(ladder.below(a.y), ladder.below(b.y), a, b);
+        });
+        return;
+    }
     walk.tracksBelow.resize(walk.rotated.size());
     for (std::size_t i = 0; i < walk.rotated.size(); ++i) {
         walk.tracksBelow[i] = static_cast<std::uint32_t>(ladder.below(walk.rotated[i].y));
     }
-    // Half-open: a vertex on a centre line counts for one of its two edges.
-    const auto forEachEdge = [&](auto&& visit) {
-        std::size_t begin = 0;
-        for (const std::size_t end : ringEnds_) {
-            std::size_t a = end - 1;
-            for (std::size_t b = begin; b < end; a = b++) {
-                const auto [low, high] = std::minmax(walk.tracksBelow[a], walk.tracksBelow[b]);
-                if (low < high) {
-                    visit(low, high, walk.rotated[a], walk.rotated[b]);
-                }
-            }
-            begin = end;
+    std::size_t begin = 0;
+    for (const std::size_t end : ringEnds_) {
+        std::size_t a = end - 1;
+        for (std::size_t b = begin; b < end; a = b++) {
+            offer(walk.tracksBelow[a], walk.tracksBelow[b], walk.rotated[a], walk.rotated[b]);
         }
-    };
+        begin = end;
+    }
+}
+
+/// Finds the crossings of every edge with every centre line, sorted into tracks by counting.
+void ScanLine::findCrossings(Walk& walk) const {
+    const std::size_t trackCount = walk.tracks.size();
+    walk.crossed.clear();
     // An edge adds one crossing at its lowest track and removes it after its highest.
     walk.added.assign(trackCount + 1, 0);
-    forEachEdge([&](std::size_t low, std::size_t high, Point, Point) {
+    forEachCrossedEdge(walk, [&](std::size_t low, std::size_t high, Point from, Point to) {
+        walk.crossed.push_back({static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high), from, to});
         ++walk.added[low];
         --walk.added[high];
     });
@@ -215,12 +234,12 @@ void ScanLine::findCrossings(Walk& walk) const {
     }
     walk.firstInterval.back() = sum;
     walk.crossings.resize(sum);
-    forEachEdge([&](std::size_t low, std::size_t high, Point a, Point b) {
+    for (const auto& [low, high, a, b] : walk.crossed) {
         const double slope = (b.x - a.x) / (b.y - a.y);
         for (std::size_t k = low; k < high; ++k) {
             walk.crossings[walk.firstInterval[k]++] = a.x + (walk.tracks[k] - a.y) * slope;
         }
-    });
+    }
     // Filling moved every entry to the beginning of the next track.
     std::ranges::move_backward(walk.firstInterval.begin(), walk.firstInterval.end() - 1,
                                walk.firstInterval.end());

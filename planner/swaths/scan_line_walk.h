@@ -50,7 +50,18 @@ private:
 
 /// All data for one heading. Kept per thread, so that trying a heading allocates nothing.
 struct ScanLine::Walk {
-    std::vector<Point> rotated;
+    /// An edge, and the tracks from `low` to before `high` that cross it.
+    struct Crossed {
+        std::uint32_t low = 0;
+        std::uint32_t high = 0;
+        Point from;
+        Point to;
+    };
+
+    double cosine = 1.0;
+    double sine = 0.0;
+    std::vector<Point> rotated;  ///< empty where only lines are asked for and there is a tree of edges
+    std::vector<Crossed> crossed;
     double lowY = 0.0;
     double highY = 0.0;
     double anchorY = 0.0;
@@ -67,6 +78,8 @@ struct ScanLine::Walk {
     std::vector<std::size_t> firstDoubled;
     std::vector<Interval> doubled;  // by two or more, disjoint
     std::vector<Interval> scratch;
+
+    Point turned(Point p) const { return {cosine * p.x + sine * p.y, cosine * p.y - sine * p.x}; }
 
     /// The integrals of clamp(x) dy up an edge, over the area covered once and twice.
     std::pair<double, double> coveredBeside(Point low, Point high, const Ladder& edgeLadder) const {

@@ -420,6 +420,47 @@ private slots:
         COMPARE_WITHIN(last, movedAtTheTop ? 1.0 : 5.0, 1e-9);
     }
 
+    // With many vertices, lines alone are found by a tree of edges; figures with areas rotate every vertex.
+    void manyVertices_data() {
+        QTest::addColumn<int>("vertices");
+        QTest::addColumn<int>("holes");
+        QTest::newRow("few, without a tree") << 100 << 1;
+        QTest::newRow("a tree") << 1000 << 0;
+        QTest::newRow("with holes") << 1000 << 7;
+        QTest::newRow("ten thousand") << 10'000 << 3;
+    }
+    void manyVertices() {
+        QFETCH(int, vertices);
+        QFETCH(int, holes);
+        const auto wavy = [](Point centre, double radiusM, int count, double turn) {
+            Ring ring;
+            for (int i = 0; i < count; ++i) {
+                const double angle = turn * 2.0 * std::numbers::pi * i / count;
+                const double m =
+                    radiusM * (1.0 + 0.1 * std::sin(9.0 * angle) + 0.01 * std::sin(101.0 * angle));
+                ring.push_back(centre + m * direction(angle));
+            }
+            return ring;
+        };
+        Polygon field{.outer = wavy({300.0, -20.0}, 150.0, vertices, 1.0), .holes = {}};
+        for (int i = 0; i < holes; ++i) {
+            const Point centre = Point{300.0, -20.0} + 80.0 * direction(2.0 * std::numbers::pi * i / holes);
+            field.holes.push_back(wavy(centre, 12.0, vertices / 10, -1.0));
+        }
+        for (const LastPass lastPass : {LastPass::Spread, LastPass::Overlap, LastPass::Gap}) {
+            const ScanLine scanLine{
+                {field}, {.width = metres(3.0), .overlap = metres(0.1), .lastPass = lastPass, .anchor = {}}};
+            for (double deg = 0.0; deg < 180.0; deg += 7.3) {
+                const HeadingFigures lines = scanLine.lineFigures(degrees(deg), SwathObjective::Count);
+                const HeadingFigures all = scanLine.figures(degrees(deg), SwathObjective::Count);
+                QCOMPARE(lines.count, all.count);
+                if (lastPass == LastPass::Spread) {  // one layout: there is nothing to choose from
+                    QCOMPARE(lines.length.si(), all.length.si());
+                }
+            }
+        }
+    }
+
     void tooManyTracks() {
         QVERIFY((ScanLine{{test::rectangle(2000.0, 2000.0)}, spacing(0.001)}.tooManyTracks()));
         QVERIFY((!ScanLine{{test::rectangle(2000.0, 2000.0)}, spacing(0.5)}.tooManyTracks()));
