@@ -1,6 +1,7 @@
 #include "planner/benchmarks/speed.h"
 
 #include "planner/benchmarks/geos_yardstick.h"
+#include "planner/benchmarks/paired_timing.h"
 #include "planner/benchmarks/paper_settings.h"
 #include "planner/benchmarks/peak_memory.h"
 #include "planner/machine/machine_library.h"
@@ -11,8 +12,6 @@
 #include "planner/turns/dubins.h"
 #include "planner/turns/reeds_shepp.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <format>
 #include <functional>
@@ -24,33 +23,15 @@ namespace furrow {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kHeadings = 180;
 constexpr Length kWidth = metres(2.5);
-// A case is repeated until this time has passed, within the limits for the number of runs.
-constexpr double kEnoughS = 0.3;
-constexpr int kFewestRuns = 3;
-constexpr int kMostRuns = 2000;
-
-struct Measured {
-    Duration median;
-    int runs = 0;
-};
-
-Measured measured(const std::function<void()>& work) {
-    std::vector<double> times;
-    double sum = 0.0;
-    while (static_cast<int>(times.size()) < kFewestRuns ||
-           (sum < kEnoughS && static_cast<int>(times.size()) < kMostRuns)) {
-        const Clock::time_point begin = Clock::now();
-        work();
-        times.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
-        sum += times.back();
-    }
-    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-    return {seconds(times[times.size() / 2]), static_cast<int>(times.size())};
-}
+// Headings that one run of the yardstick tries, on small fields and on others.
+constexpr int kFewHeadings = 30;
+constexpr int kFewestHeadings = 2;
+constexpr Area kSmallField = squareMetres(10'000.0);
+constexpr std::size_t kFewVertices = 1000;
+// Whole degrees from one heading to the next; coprime to 180, so all have their turn.
+constexpr int kStride = 77;
 
 using OwnSettings = std::initializer_list<std::pair<std::string_view, std::string_view>>;
 
@@ -116,15 +97,27 @@ private:
         return job_.stopRequested() ? Result<void>{std::unexpected(cancelled())} : Result<void>{};
     }
 
-    void add(std::string name, const Polygon& field, int threads, const Measured& ours,
-             std::optional<Duration> yardstick) {
-        cases_.push_back({.name = std::move(name),
-                          .areaHa = inHectares(area(field)),
-                          .vertices = vertexCount({field}),
-                          .threads = threads,
-                          .runs = ours.runs,
-                          .median = ours.median,
-                          .yardstick = yardstick});
+    /// @param scale  of the yardstick's times
+    void addCase(SpeedCase added, const std::function<void()>& ours, const std::function<void()>& yardstick,
+                 double scale = 1.0) {
+        const PairedTiming timing =
+            timedInTurn(ours, yardstick, added.threads == 1 ? processorSeconds : wallSeconds);
+        added.runs = timing.ours.runs;
+        added.least = timing.ours.least;
+        added.median = timing.ours.median;
+        if (timing.yardstick) {
+            added.yardstickLeast = scale * timing.yardstick->least;
+            added.yardstick = scale * timing.yardstick->median;
+            added.ratio = scale * *timing.ratio;
+        }
+        cases_.push_back(std::move(added));
+    }
+
+    static SpeedCase caseOf(std::string name, const Polygon& field, int threads) {
+        return {.name = std::move(name),
+                .areaHa = inHectares(area(field)),
+                .vertices = vertexCount({field}),
+                .threads = threads};
     }
 
     Result<void> headings() {
@@ -132,27 +125,15 @@ private:
         const ScanLine scanLine{{field}, {.width = kWidth, .overlap = {}}};
         int turn = 0;
         const auto next = [&turn] { return degrees(turn++ % kHeadings); };
-        const Measured lines =
-            measured([&] { keep(scanLine.lineFigures(next(), SwathObjective::Count).length.si()); });
-        add("one heading, number and length of swaths", field, 1, lines,
-            measured([&] { keep(plainFigures(field, kWidth, next(), false).length.si()); }).median);
-        const Measured all = measured([&] { keep(scanLine.figures(next()).coverage); });
-        add("one heading, all swath objectives", field, 1, all,
-            measured([&] { keep(plainFigures(field, kWidth, next(), true).coverage); }).median);
+        addCase(
+            caseOf("one heading, number and length of swaths", field, 1),
+            [&] { keep(scanLine.lineFigures(next(), SwathObjective::Count).length.si()); },
+            [&] { keep(plainFigures(field, kWidth, next(), false).length.si()); });
+        addCase(
+            caseOf("one heading, all swath objectives", field, 1),
+            [&] { keep(scanLine.figures(next()).coverage); },
+            [&] { keep(plainFigures(field, kWidth, next(), true).coverage); });
         return stopped();
-    }
-
-    /// Every whole degree by plain GEOS. On large fields every n-th, scaled.
-    Duration plainSearch(const Polygon& field, bool withCoverage) {
-        const double perHeading = area(field).si() / 1e4;
-        const int every = perHeading > 16.0 ? 30 : perHeading > 1.0 || vertexCount({field}) > 1000 ? 10 : 1;
-        const Clock::time_point begin = Clock::now();
-        int tried = 0;
-        for (int deg = 0; deg < kHeadings && !job_.stopRequested(); deg += every, ++tried) {
-            keep(plainFigures(field, kWidth, degrees(deg), withCoverage).length.si());
-        }
-        const double tookS = std::chrono::duration<double>(Clock::now() - begin).count();
-        return seconds(tookS * kHeadings / std::max(1, tried));
     }
 
     Result<void> search(const Polygon& field, std::string_view objective,
@@ -167,14 +148,25 @@ private:
         const Machine machine = paperMachine();
         const SwathTask task{
             .field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
-        const Duration plain = plainSearch(field, objective == "coverage");
+        // Plain GEOS tries a few of the whole degrees at a time, spread over the half circle.
+        const int tried =
+            area(field) > kSmallField || vertexCount({field}) > kFewVertices ? kFewestHeadings : kFewHeadings;
+        int turn = 0;
+        const auto plain = [&] {
+            for (int i = 0; i < tried && !job_.stopRequested(); ++i, turn += kStride) {
+                keep(plainFigures(field, kWidth, degrees(turn % kHeadings), objective == "coverage")
+                         .length.si());
+            }
+        };
         for (const int threads : threadCounts) {
-            const Measured ours = measured([&] {
-                const auto set =
-                    swathMethod(*settings).run(task, {.stop = job_.stop, .progress = {}, .threads = threads});
-                keep(set ? set->coverage : 0.0);
-            });
-            add(std::format("best of 180 headings, {}", objective), field, threads, ours, plain);
+            addCase(
+                caseOf(std::format("best of 180 headings, {}", objective), field, threads),
+                [&] {
+                    const auto set = swathMethod(*settings).run(
+                        task, {.stop = job_.stop, .progress = {}, .threads = threads});
+                    keep(set ? set->coverage : 0.0);
+                },
+                plain, static_cast<double>(kHeadings) / tried);
         }
         return stopped();
     }
@@ -223,12 +215,13 @@ private:
                 }
                 const SwathTask task{
                     .field = **whole, .mainland = mainland, .machine = machine, .settings = *settings};
-                add(std::format("{} of a convex cell, {}", name, objective), convex, 1, measured([&] {
-                        const auto set = swathMethod(*settings).run(
-                            task, {.stop = job_.stop, .progress = {}, .threads = 1});
-                        keep(set ? set->coverage : 0.0);
-                    }),
-                    std::nullopt);
+                addCase(caseOf(std::format("{} of a convex cell, {}", name, objective), convex, 1),
+                        [&] {
+                            const auto set = swathMethod(*settings).run(
+                                task, {.stop = job_.stop, .progress = {}, .threads = 1});
+                            keep(set ? set->coverage : 0.0);
+                        },
+                        {});
             }
         }
         return stopped();
@@ -254,12 +247,11 @@ private:
                     failed = made.error();
                 }
             };
-            const Measured ours = measured(makeOne);
+            addCase(caseOf(name, shape, threads), makeOne, {});
             const auto memory = peakMemoryOf(makeOne);
             if (failed) {
                 return std::unexpected(*failed);
             }
-            add(name, shape, threads, ours, std::nullopt);
             cases_.back().peakMemoryBytes = memory;
         }
         return stopped();
@@ -293,17 +285,22 @@ private:
             {"reeds-shepp-cc", kContinuousReedsSheppMethod.run}};
         constexpr int kTurns = 1000;
         for (const auto& [id, turn] : methods) {
-            const Measured many = measured([&] {
-                for (int i = 0; i < kTurns; ++i) {
-                    const Pose to{.position = {2.5 + 0.01 * (i % 7), 0.3 * (i % 11)},
-                                  .heading = degrees(180.0 + i % 13)};
-                    keep(turn({.position = {}, .heading = degrees(0.0)}, to, machine).length().si());
-                }
-            });
+            const PairedTiming many = timedInTurn(
+                [&] {
+                    for (int i = 0; i < kTurns; ++i) {
+                        const Pose to{.position = {2.5 + 0.01 * (i % 7), 0.3 * (i % 11)},
+                                      .heading = degrees(180.0 + i % 13)};
+                        keep(turn({.position = {}, .heading = degrees(0.0)}, to, machine).length().si());
+                    }
+                },
+                {}, processorSeconds);
             cases_.push_back({.name = std::format("one turn, {}", id),
-                              .runs = many.runs * kTurns,
-                              .median = (1.0 / kTurns) * many.median,
-                              .yardstick = {}});
+                              .runs = many.ours.runs * kTurns,
+                              .least = (1.0 / kTurns) * many.ours.least,
+                              .median = (1.0 / kTurns) * many.ours.median,
+                              .yardstickLeast = {},
+                              .yardstick = {},
+                              .ratio = {}});
         }
         return stopped();
     }
