@@ -10,32 +10,62 @@ namespace {
 
 // Total room beside the tractor in a neck. Quick searches do not look for ways through narrower necks.
 constexpr Length kNeckSpare = metres(0.8);
+// Beyond this number of results all are forgotten: some ten megabytes.
+constexpr std::size_t kMostKept = 20'000;
 
 }  // namespace
 
-FittingWays::FittingWays(const MultiPolygon& drivable, const Machine& machine, TravelCost travel)
+WaySearches::WaySearches(const MultiPolygon& drivable, const Machine& machine, TravelCost travel)
     : drivable_{drivable}, rig_{drivable, machine}, travel_{std::move(travel)} {}
 
-std::optional<Curve> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job,
+std::optional<Curve> WaySearches::between(const Pose& leaving, const Pose& arriving, const JobContext& job,
                                           SearchEffort effort) {
-    const auto parts = parts_.load();
-    const bool apart =
-        effort == SearchEffort::Quick && parts && parts->separate(leaving.position, arriving.position);
-    auto way = fittingConnection(rig_, leaving, arriving, travel_, job, apart ? SearchEffort::None : effort);
-    if (!way && !job.stopRequested()) {
-        std::call_once(once_, [this] {
-            if (auto found =
-                    DrivenParts::of(drivable_, rig_.machine().spec().tractor.width + kNeckSpare, {})) {
-                parts_ = std::make_shared<const DrivenParts>(std::move(*found));
-            }
-        });
+    const Key key{leaving.position.x,  leaving.position.y,    leaving.heading.si(),       arriving.position.x,
+                  arriving.position.y, arriving.heading.si(), static_cast<double>(effort)};
+    {
+        const std::scoped_lock lock{mutex_};
+        if (const auto known = found_.find(key); known != found_.end()) {
+            return known->second;
+        }
+    }
+    std::optional<Curve> way = fittingConnection(rig_, leaving, arriving, travel_, job, effort);
+    if (!job.stopRequested()) {
+        const std::scoped_lock lock{mutex_};
+        if (found_.size() >= kMostKept) {
+            found_.clear();
+        }
+        found_.emplace(key, way);
     }
     return way;
 }
 
-std::optional<Curve> FittingWays::byOne(const Method<TurnPlanner>& kind, const Pose& leaving,
+std::optional<Curve> WaySearches::byOne(const Method<TurnPlanner>& kind, const Pose& leaving,
                                         const Pose& arriving) const {
     return fittingTurn(rig_, leaving, arriving, travel_, kind);
+}
+
+const DrivenParts* WaySearches::parts() {
+    std::call_once(once_, [this] {
+        if (auto found = DrivenParts::of(drivable_, rig_.machine().spec().tractor.width + kNeckSpare, {})) {
+            parts_ = *std::move(found);
+        }
+    });
+    return parts_ ? &*parts_ : nullptr;
+}
+
+std::optional<Curve> FittingWays::between(const Pose& leaving, const Pose& arriving, const JobContext& job,
+                                          SearchEffort effort) {
+    if (effort == SearchEffort::Quick && hasFailed_) {
+        const DrivenParts* const parts = searches_->parts();
+        if (parts != nullptr && parts->separate(leaving.position, arriving.position)) {
+            effort = SearchEffort::None;
+        }
+    }
+    auto way = searches_->between(leaving, arriving, job, effort);
+    if (!way && !job.stopRequested()) {
+        hasFailed_ = true;
+    }
+    return way;
 }
 
 }  // namespace furrow

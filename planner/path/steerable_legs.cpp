@@ -30,6 +30,12 @@ constexpr double kMostAlongM = 0.5;
 constexpr Length kDrawing = metres(8e-3);
 /// A trailed implement is in line again after this many of its lengths.
 constexpr double kTrailingLengths = 3.0;
+/// A run begins at a place that is rounded to these steps, so that it is the same run however the machine got
+/// there.
+constexpr double kPlaceStepM = 1e-9;
+constexpr double kHeadingStepRad = 1e-12;
+/// Beyond this number of runs all are forgotten: some ten megabytes.
+constexpr std::size_t kMostKept = 4000;
 /// Half of a straight at which runs end is as long as this many windows.
 constexpr double kStraightWindows = 4.0;
 
@@ -335,6 +341,22 @@ std::vector<std::pair<std::size_t, std::size_t>> runsOf(const std::vector<Part>&
     return runs;
 }
 
+double rounded(double value, double step) {
+    return step * std::round(value / step);
+}
+
+/// Moves all of a run so that it begins at a rounded place.
+void roundStart(std::vector<Leg>& run) {
+    const Pose from = run.front().line.start;
+    const Pose to{.position = {rounded(from.position.x, kPlaceStepM), rounded(from.position.y, kPlaceStepM)},
+                  .heading = radians(rounded(from.heading.si(), kHeadingStepRad))};
+    Pose next = to;
+    for (Leg& leg : run) {
+        leg.line.start = next;
+        next = leg.line.end();
+    }
+}
+
 /// @param folded  whether each leg is on a way in or out
 EasedRuns::Key keyOf(const std::vector<Leg>& run, const std::vector<const Rig*>& rigs, const Rig& folded) {
     EasedRuns::Key key;
@@ -379,6 +401,9 @@ std::optional<std::vector<Curve>> EasedRuns::find(const Key& key) const {
 
 void EasedRuns::add(Key key, std::vector<Curve> lines) {
     const std::scoped_lock lock{mutex_};
+    if (known_.size() >= kMostKept) {
+        known_.clear();
+    }
     known_.emplace(std::move(key), std::move(lines));
 }
 
@@ -408,6 +433,7 @@ Result<std::vector<Leg>> steerableLegs(std::vector<Leg> legs, const SteeringRoom
                 run.push_back(parts[k].driven);
                 rigs.push_back(rigOf(parts[k].leg));
             }
+            roundStart(run);
             EasedRuns::Key key = keyOf(run, rigs, room.folded);
             auto lines = room.known->find(key);
             if (!lines) {

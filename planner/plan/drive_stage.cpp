@@ -5,7 +5,6 @@
 #include "planner/headland/headland_passes.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/lifted_legs.h"
-#include "planner/path/travel_rule.h"
 #include "planner/plan/finish_stage.h"
 #include "planner/plan/gate_legs.h"
 #include "planner/plan/general_parameters.h"
@@ -29,7 +28,7 @@ std::vector<Leg> legsOf(const DriveTask& task) {
         HeadlandDrive drive{.insideOut = drivesInsideOut(settings),
                             .before = {},
                             .after = {},
-                            .drivable = task.ground.drivable};
+                            .drivable = task.ground->drivable};
         if (first && !legs.empty()) {
             drive.after = legs.front().line.start;
         } else if (!legs.empty()) {
@@ -84,27 +83,21 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     if (!places) {
         return std::unexpected(places.error());
     }
-    const auto open = withOpenGates(task.ground.drivable, field, *places, job);
+    const auto open = withOpenGates(task.ground->drivable, field, *places, job);
     if (!open) {
         return std::unexpected(open.error());
-    }
-    const auto travel = travelRule(traversalOf(settings),
-                                   {.workable = field.workable(),
-                                    .mainland = task.laid.mainland,
-                                    .machine = machine,
-                                    .margin = task.ground.margin},
-                                   job);
-    if (!travel) {
-        return std::unexpected(travel.error());
     }
     const auto ground = groundForWays(task, *open, job);
     if (!ground) {
         return std::unexpected(ground.error());
     }
-    const auto fitting = std::make_shared<FittingWays>(*ground, machine, *travel);
-    const bool folds = machine.spec().implement.transportWidth &&
-                       std::ranges::any_of(*places, &std::optional<RoutePlace>::has_value);
-    const auto folded = folds ? std::make_shared<FittingWays>(*ground, machine.folded(), *travel) : fitting;
+    const auto room = drivingRoom(task.rooms, task.request,
+                                  {task.ground, *ground, task.laid.mainland, traversalOf(settings)}, job);
+    if (!room) {
+        return std::unexpected(room.error());
+    }
+    const auto fitting = std::make_shared<FittingWays>((*room)->raised);
+    const auto folded = std::make_shared<FittingWays>((*room)->folded);
     GateWays gates;
     RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext& part,
                             SearchEffort effort) {
@@ -121,7 +114,7 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     }
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
     gates = addGateWays(legs, *places, field, Rig{*open, machine.folded()});
-    const PathOverLegs path{task, *ground, ways, chosen, *leftOnPurpose};
+    const PathOverLegs path{task, *ground, (*room)->steering, ways, chosen, *leftOnPurpose};
     auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8));
     if (driven) {
         driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, toBeat,

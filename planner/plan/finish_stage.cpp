@@ -100,7 +100,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         return std::unexpected(bends.error());
     }
     const MultiPolygon& workable = task.request.field->workable();
-    const Length margin = task.ground.margin;
+    const Length margin = task.ground->margin;
     const auto land =
         margin > Length{} ? eroded(workable, margin, kArcTolerance, job) : Result<MultiPolygon>{workable};
     if (!land) {

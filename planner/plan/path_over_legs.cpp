@@ -26,14 +26,14 @@ constexpr double kEasedShare = 0.995;
 
 }  // namespace
 
-PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
-                           const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose)
+PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
+                           RememberedWays& ways, const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose)
     : task_{task},
       ground_{ground},
       ways_{ways},
       chosen_{chosen},
       leftOnPurpose_{leftOnPurpose},
-      room_{ground, task.request.machine} {}
+      room_{room} {}
 
 Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
     const Settings& settings = task_.request.settings;
@@ -64,8 +64,7 @@ Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobC
     if (!parts) {
         return std::unexpected(parts.error());
     }
-    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_,
-                           Rig{ground_, machine, ImplementAt::Lowered}, *parts, job);
+    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, room_.lowered, *parts, job);
     return build(job.part(0.75, 1.0));
 }
 
@@ -93,7 +92,7 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
     Stopwatch watch;
     const PlanRequest& request = task_.request;
     const auto isSlower = [&](const Path& path, double share) {
-        return toBeat && toBeat->blocking == 0 && share * path.duration() > toBeat->time;
+        return toBeat && toBeat->isLostAfter(share * path.duration());
     };
     const auto all = joined(legs, job.part(0.0, 0.4));
     if (!all) {
@@ -135,7 +134,7 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
         return std::unexpected(noBetter(*request.field));
     }
     auto report = audit(auditInput({.request = request,
-                                    .margin = task_.ground.margin,
+                                    .margin = task_.ground->margin,
                                     .headland = task_.headland,
                                     .finishing = driven.finishing,
                                     .mainland = task_.laid.mainland,

@@ -3,8 +3,8 @@
 #include "planner/path/fitting_ways.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
-#include "planner/path/steerable_legs.h"
 #include "planner/plan/chosen_turns.h"
+#include "planner/plan/driving_room.h"
 #include "planner/plan/plan_to_beat.h"
 #include "planner/plan/stages.h"
 
@@ -16,19 +16,21 @@ namespace furrow {
 /// The stages that a path follows from.
 struct DriveTask {
     const PlanRequest& request;
-    const Ground& ground;
+    const std::shared_ptr<const Ground>& ground;
     const Headland& headland;
     const LaidSwaths& laid;
     const Ordered& ordered;
+    DrivingRooms& rooms;  ///< of plans before
 };
 
 /// Joins legs by ways, checks the path and audits it. Keeps references to all parameters.
 class PathOverLegs {
 public:
     /// @param ground         the area for ways, gates open
+    /// @param room           for easing
     /// @param leftOnPurpose  for the audit
-    PathOverLegs(const DriveTask& task, const MultiPolygon& ground, RememberedWays& ways,
-                 const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose);
+    PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
+                 RememberedWays& ways, const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose);
 
     /// The path over these legs with its findings and audit. If no way leads from one leg to the next, the
     /// legs get another order.
@@ -49,7 +51,7 @@ private:
     RememberedWays& ways_;
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
-    SteeringRoom room_;
+    const SteeringRoom& room_;
 };
 
 /// The kind of turn for all other ways. It is the chosen kind only if the machine may leave the field.

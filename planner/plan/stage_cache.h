@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/plan/driving_room.h"
 #include "planner/plan/stage_memo.h"
 #include "planner/plan/stages.h"
 
@@ -49,6 +50,7 @@ struct StageCache {
     StageMemo<MultiPolygon, SwathSet> searches;  ///< of headings in a mainland
     StageMemo<SwathInputs, RoundedSwaths> swaths;
     StageMemo<std::shared_ptr<const LaidSwaths>, Ordered> orders;
+    DrivingRooms rooms;
     StageMemo<DriveInputs, Driven, 6> drives;  ///< megabytes each
 };
 

@@ -87,7 +87,7 @@ private slots:
     // A way through the neck needs a search; one that stays in a room is found all the same, as is a straight
     // one through the neck.
     void narrowNecksAreNotSearchedAgain() {
-        FittingWays ways{dumbbell(3.0), test::agbot(), {}};
+        FittingWays ways{std::make_shared<WaySearches>(dumbbell(3.0), test::agbot(), TravelCost{})};
         const Pose here = pose(5.0, 5.0, 180.0);
         // Where it does not fit: nothing is found, and from then on it is known what is joined by necks.
         QVERIFY(!ways.between(here, pose(70.0, 20.0, 90.0), {}, SearchEffort::Quick));

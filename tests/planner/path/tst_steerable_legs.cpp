@@ -210,7 +210,7 @@ private slots:
         }
     }
 
-    /// Straights stay where they are, to the last bit of their headings.
+    /// Straights stay where they are, except for the rounding of the start.
     void swathsStayStraight() {
         const Machine machine = tractor();
         const Pose from{{0.0, 0.0}, {}};
@@ -221,7 +221,9 @@ private slots:
         const CurvePiece& first = steered->front().line.pieces.front();
         QVERIFY(first.curvature == Curvature{} && first.endCurvature == Curvature{});
         QVERIFY2(first.length > metres(27.0), QByteArray::number(first.length.si()));
-        QVERIFY(steered->front().line.start == legs.front().line.start);
+        const Pose start = steered->front().line.start;
+        COMPARE_WITHIN(distance(start.position, legs.front().line.start.position), 0.0, 1e-9);
+        COMPARE_WITHIN(start.heading.si(), legs.front().line.start.heading.si(), 1e-12);
     }
 
     void stopped() {
