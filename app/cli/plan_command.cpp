@@ -65,9 +65,13 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
                  machine.minTurningRadius().si());
     std::println("Headland  {:.2f} m · {} · mainland {:.1f} %", plan.headland.width.si(),
                  counted(plan.headland.passes, "pass", "passes"), 100.0 * plan.headland.mainlandRatio);
-    std::println("Swaths    {} · {} · bearing {:.1f}° · covers {:.2f} % of the mainland",
-                 counted(swathCount, "swath", "swaths"), kilometres(plan.swaths.totalLength),
-                 lineBearingDeg(plan.swaths.heading), 100.0 * plan.swaths.coverage);
+    if (plan.swaths.swaths.empty()) {
+        std::println("Swaths    none: the headland takes all of the field");
+    } else {
+        std::println("Swaths    {} · {} · bearing {:.1f}° · covers {:.2f} % of the mainland",
+                     counted(swathCount, "swath", "swaths"), kilometres(plan.swaths.totalLength),
+                     lineBearingDeg(plan.swaths.heading), 100.0 * plan.swaths.coverage);
+    }
     std::println("Path      {} · {} · {:.1f} % turning · {}", kilometres(plan.path.length()),
                  counted(plan.path.turnCount(), "turn", "turns"),
                  plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,

@@ -53,6 +53,8 @@ struct Headland {
     Area uncutCorners;        ///< where that pass is rounded
     std::vector<Note> notes;  ///< what was reduced, and why
     bool narrowed = false;    ///< the field was too narrow for the wanted headland
+    /// A single pass all round, inside which no swath is as wide as the implement. The mainland may be empty.
+    bool isPerimeterOnly = false;
 };
 
 /// The width of the headland along the edge nearest to a place. Cost: O(edges).
@@ -86,7 +88,8 @@ struct HeadlandTask {
 
 /// The common signature of all headland methods.
 ///
-/// @return a headland whose mainland is not empty. InputRefused: nothing of the field is left. Cancelled.
+/// @return a headland. Its mainland is empty only if a single pass works all of the field. InputRefused:
+/// nothing of the field is left. Cancelled.
 using HeadlandGenerator = Result<Headland>(const HeadlandTask& task, const JobContext& job);
 
 template <>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace furrow {
@@ -17,6 +18,8 @@ namespace {
 constexpr double kPassSlack = 1e-9;
 // Obstacles and repairs cut edges into parts. A part lies within this distance of its edge.
 constexpr double kSameLineM = 0.01;
+// Smallest piece of mainland inside a single pass that gets swaths.
+constexpr Area kWorthSwaths = squareMetres(50.0);
 
 /// Whether the mainland is an operating width wide somewhere. A narrower one is not worth a headland around
 /// it.
@@ -64,6 +67,18 @@ void limitPasses(Headland& headland, int most, const HeadlandTask& task) {
     }
 }
 
+/// What a single pass all round leaves, if that pass can be driven. It may be nothing, and pieces that are
+/// too small for the audit to block are left to the passes that finish a plan.
+Result<std::optional<Headland>> perimeterOnly(Headland headland, MultiPolygon left, const HeadlandTask& task,
+                                              const JobContext& job) {
+    headland.isPerimeterOnly = true;
+    headland.mainland = std::move(left);
+    std::erase_if(headland.mainland, [](const Polygon& piece) { return area(piece) < kWorthSwaths; });
+    return addPasses(headland, task, job).transform([&] {
+        return headland.drivenPasses.empty() ? std::nullopt : std::optional{std::move(headland)};
+    });
+}
+
 Result<MultiPolygon> mainlandOf(const Headland& headland, const HeadlandTask& task, const JobContext& job) {
     const MultiPolygon& workable = task.workable();
     if (!headland.strips.empty()) {
@@ -99,6 +114,7 @@ Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const Job
     Headland headland = std::move(wanted);
     widenEdges(headland, task);
     const Length widest = headland.width;
+    std::optional<Headland> perimeter;
     for (;;) {
         auto mainland = mainlandOf(headland, task, job);
         if (!mainland) {
@@ -112,29 +128,41 @@ Result<Headland> headlandOf(Headland wanted, const HeadlandTask& task, const Job
             headland.mainland = std::move(*mainland);
             break;
         }
+        if (headland.passes == 1) {
+            auto only = perimeterOnly(headland, *std::move(mainland), task, job);
+            if (!only) {
+                return std::unexpected(only.error());
+            }
+            if (*only) {
+                perimeter = *std::move(only);
+                break;
+            }
+        }
         // The field is too narrow for this headland: use fewer passes, finally none.
         const int fitting = std::min(headland.passes, passesWithin(headland.width, task));
         limitPasses(headland, std::max(0, fitting - 1), task);
     }
-    if (headland.mainland.empty()) {
-        return std::unexpected(nothingLeft(task.margin));
+    if (!perimeter) {
+        if (headland.mainland.empty()) {
+            return std::unexpected(nothingLeft(task.margin));
+        }
+        if (const auto added = addPasses(headland, task, job); !added) {
+            return std::unexpected(added.error());
+        }
     }
-    if (headland.width < widest) {
-        headland.narrowed = true;
-        headland.notes.push_back(
-            {headland.passes == 0
+    Headland made = perimeter ? *std::move(perimeter) : std::move(headland);
+    if (made.width < widest) {
+        made.notes.push_back(
+            {made.passes == 0
                  ? message("The field is too narrow for {:.1f} m of headland; there is none", widest.si())
                  : message("The field is too narrow for {:.1f} m of headland; it is {:.1f} m with {}",
-                           widest.si(), headland.width.si(),
-                           counted("{} pass", "{} passes", headland.passes)),
+                           widest.si(), made.width.si(), counted("{} pass", "{} passes", made.passes)),
              "headland",
              {}});
     }
-    headland.mainlandRatio = area(headland.mainland) / area(task.workable());
-    if (const auto added = addPasses(headland, task, job); !added) {
-        return std::unexpected(added.error());
-    }
-    return headland;
+    made.narrowed = made.width < widest || made.isPerimeterOnly;
+    made.mainlandRatio = area(made.mainland) / area(task.workable());
+    return made;
 }
 
 }  // namespace furrow

@@ -38,6 +38,9 @@ SwathSet setOf(const SwathSet& all, const MainlandPart& part) {
 
 Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland,
                                 const JobContext& job) {
+    if (mainland.empty()) {
+        return SwathSet{.coverage = 1.0};
+    }
     return swathMethod(request.settings)
         .run({.field = *request.field,
               .mainland = mainland,

@@ -9,6 +9,9 @@
 namespace furrow {
 
 Result<Ordered> orderStage(const PlanRequest& request, const LaidSwaths& laid, const JobContext& job) {
+    if (laid.swaths.swaths.empty()) {
+        return Ordered{};
+    }
     auto cells = cellsOf(request, laid, job.part(0.0, 0.4));
     if (!cells) {
         return std::unexpected(cells.error());

@@ -200,6 +200,9 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
 Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     const PlanRequest& request = task.request;
     SwathSet common = task.found;
+    if (task.mainland.empty()) {
+        return LaidSwaths{.swaths = std::move(common), .parts = {}, .mainland = {}};
+    }
     markTramlines(common, request.settings);
     const auto pieces = piecesBetweenSplits(request, task.mainland, common.notes, job);
     if (!pieces) {

@@ -1,5 +1,7 @@
+#include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
 #include "planner/headland/turning_room.h"
+#include "planner/machine/machine_library.h"
 #include "planner/turns/dubins.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -40,6 +42,35 @@ class HeadlandTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // A boom of 24 m works all of it from a line 12 m from the boundary, 176 m x 20 m with corners of 7 m.
+    void onePassAllRoundIsAllThereIs() {
+        const Field field = fieldFrom({test::centredRectangle(200.0, 44.0)});
+        const auto headland = test::headlandBy(kConstantWidthMethod, field,
+                                               findMachine("trailed-sprayer").value(), Settings{}, Length{});
+        VERIFY_RESULT(headland);
+        QCOMPARE(headland->passes, 1);
+        QVERIFY(headland->isPerimeterOnly);
+        QVERIFY(headland->narrowed);
+        QVERIFY(headland->mainland.empty());
+        QCOMPARE(headland->mainlandRatio, 0.0);
+        QCOMPARE(headland->drivenPasses.size(), std::size_t{1});
+        const double byHandM = 2.0 * (176.0 + 20.0) - 8.0 * 7.0 + 2.0 * kPi * 7.0;
+        COMPARE_WITHIN(headland->drivenPasses.front().length().si(), byHandM, 0.02 * byHandM);
+    }
+
+    // Nothing is worked by a strip that is only for turning.
+    void aStripForTurningIsNotAllThereIs() {
+        const Field field = fieldFrom({test::centredRectangle(200.0, 44.0)});
+        Settings settings;
+        settings.set(kHeadlandDriven, false).value();
+        const auto headland = test::headlandBy(kConstantWidthMethod, field,
+                                               findMachine("trailed-sprayer").value(), settings, Length{});
+        VERIFY_RESULT(headland);
+        QCOMPARE(headland->passes, 0);
+        QVERIFY(!headland->isPerimeterOnly);
+        COMPARE_WITHIN(area(headland->mainland).si(), 200.0 * 44.0, 0.01);
+    }
+
     void ofARectangle_data() {
         QTest::addColumn<double>("fieldWidthM");
         QTest::addColumn<double>("fieldHeightM");
@@ -76,8 +107,11 @@ private slots:
                                                         << 5.0 << 2 << 90.0 * 6.0 << "too narrow for 10.0 m";
         QTest::newRow("narrower field has one pass") << 100.0 << 9.0 << automatic << automatic << 0.0 << 2.5
                                                      << 1 << 95.0 * 4.0 << "too narrow for 10.0 m";
-        QTest::newRow("very narrow field has none")
-            << 100.0 << 6.0 << automatic << automatic << 0.0 << 0.0 << 0 << 600.0 << "there is none";
+        QTest::newRow("inside one pass no swath is as wide as the robot")
+            << 100.0 << 7.0 << automatic << automatic << 0.0 << 2.5 << 1 << 95.0 * 2.0
+            << "too narrow for 10.0 m";
+        QTest::newRow("very narrow field is all headland")
+            << 100.0 << 6.0 << automatic << automatic << 0.0 << 2.5 << 1 << 95.0 << "too narrow for 10.0 m";
         QTest::newRow("field of one pass has none")
             << 100.0 << 2.5 << automatic << automatic << 0.0 << 0.0 << 0 << 250.0 << "there is none";
         QTest::newRow("given width falls back too")

@@ -121,13 +121,15 @@ private slots:
             }
             VERIFY_TOLD(plan.has_value(), told + plan.error().line().c_str());
             const Plan& p = **plan;
-            VERIFY_TOLD(p.route.steps.size() == p.swaths.swaths.size() && !p.route.steps.empty(), told);
+            VERIFY_TOLD(p.route.steps.size() == p.swaths.swaths.size(), told);
+            VERIFY_TOLD(p.headland.isPerimeterOnly || !p.route.steps.empty(), told);
             std::set<std::size_t> driven;
             for (const RouteStep& step : p.route.steps) {
                 driven.insert(step.swath);
             }
             VERIFY_TOLD(driven.size() == p.swaths.swaths.size(), told);
-            VERIFY_TOLD(p.headland.mainlandRatio > 0.0 && p.headland.mainlandRatio <= 1.0 + 1e-12, told);
+            VERIFY_TOLD(p.headland.isPerimeterOnly || p.headland.mainlandRatio > 0.0, told);
+            VERIFY_TOLD(p.headland.mainlandRatio <= 1.0 + 1e-12, told);
             VERIFY_TOLD(p.swaths.coverage > 0.0 && p.swaths.coverage <= 1.0, told);
             // The straight line is the shortest: L_0 is a lower bound of the driven length.
             VERIFY_TOLD(p.path.length() >= p.route.lengthInPlace - metres(1e-6), told);
