@@ -23,7 +23,8 @@ PlanToBeat planToBeat(const Machine& machine, const Driven& driven) {
     return {.blocking = blockingCount(driven.findings),
             .time = timeForAll(machine, driven.path, driven.audit),
             .finishing = driven.finishingCost,
-            .left = driven.leftBeforeFinishing};
+            .left = driven.leftBeforeFinishing,
+            .meanwhile = nullptr};
 }
 
 Error noBetter(const Field& field) {

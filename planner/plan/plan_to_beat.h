@@ -2,7 +2,9 @@
 
 #include "planner/plan/stages.h"
 
+#include <atomic>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace furrow {
@@ -11,12 +13,33 @@ namespace furrow {
 /// costs nothing.
 Duration timeForAll(const Machine& machine, const Path& path, const AuditReport& audit);
 
+/// The time of the quickest drivable plan among some that are made at once, of which only the quickest is
+/// wanted. It falls while they are made, so it may only rule out plans that surely take longer.
+class QuickestMeanwhile {
+public:
+    Duration time() const { return seconds(seconds_.load()); }
+    void lower(Duration time) {
+        for (double known = seconds_;
+             time.si() < known && !seconds_.compare_exchange_weak(known, time.si());) {
+        }
+    }
+
+private:
+    std::atomic<double> seconds_{std::numeric_limits<double>::infinity()};
+};
+
 /// The best plan so far. Another one beats it with fewer blocking findings, or with as many in less time.
 struct PlanToBeat {
     std::ptrdiff_t blocking = 0;  ///< findings
     Duration time;                ///< for all
     Duration finishing;           ///< added by finishing passes, less the time for the land that they work
     Area left;                    ///< land within reach that was left before the finishing passes
+    const QuickestMeanwhile* meanwhile = nullptr;  ///< of plans that are made at the same time
+
+    /// Whether a plan with a path of this duration surely is no better.
+    bool isLostAfter(Duration duration) const {
+        return (blocking == 0 && duration > time) || (meanwhile != nullptr && duration > meanwhile->time());
+    }
 };
 
 PlanToBeat planToBeat(const Machine& machine, const Driven& driven);

@@ -3,6 +3,7 @@
 #include "planner/decomposition/decomposition.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
+#include "planner/jobs/parallel.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
 #include "planner/route/methods.h"
@@ -134,11 +135,21 @@ struct Best {
     std::vector<Note> notes = {};
 };
 
-/// Whether two passes of headland take much of the field, or leave the plan blocked. More than two are needed
-/// for turns: fewer of them save no time.
+/// The best plan so far with another in its place. Empty without one.
+std::optional<Best> with(const Best& best, std::optional<PlannedStages> plan) {
+    return std::move(plan).transform([&](PlannedStages&& made) {
+        Best other = best;
+        other.plan = std::move(made);
+        return other;
+    });
+}
+
+/// Whether two passes of headland take much of the field, or leave the plan blocked, or one takes all of it.
+/// More than two are needed for turns: fewer of them save no time.
 bool mayHaveFewerPasses(const PlannedStages& plan) {
     const Headland& headland = *plan.laidOut.headland;
-    return headland.passes == kTwoPasses && (!plan.drivable() || headland.mainlandRatio < kMuchMainland);
+    return headland.isPerimeterOnly ||
+           (headland.passes == kTwoPasses && (!plan.drivable() || headland.mainlandRatio < kMuchMainland));
 }
 
 /// Compares plans by their stages.
@@ -156,12 +167,14 @@ public:
     Result<void> tryFewerPasses(Best& best);
 
 private:
-    Result<bool> takeIfBetter(Best& best, const PlanRequest& other);
-    Result<std::optional<PlannedStages>> nearPlan(const Best& best, const PlanRequest& other, double near);
-    Result<void> tryPattern(Best& best, std::string_view pattern);
+    template <class Make>
+    Result<void> takeBest(Best& best, std::size_t count, const Make& make);
+    Result<std::optional<PlannedStages>> nearPlan(const Best& best, const PlanRequest& other, double near,
+                                                  QuickestMeanwhile* meanwhile = nullptr);
     Result<void> tryCorners(Best& best);
     Result<void> decideOrderAndCorners(Best& best);
-    Result<void> tryHeading(Best& best, const HeadingCandidate& candidate);
+    Result<std::optional<Best>> inOrder(const Best& best, std::string_view pattern);
+    Result<std::optional<Best>> alongHeading(const Best& best, const HeadingCandidate& candidate);
 
     StageRunner& runner_;
     JobContext quiet_;
@@ -169,13 +182,18 @@ private:
 
 /// The plan with other settings if it is better as driven, or takes less than `near` times as long.
 /// Cancelled.
+/// @param meanwhile  of plans that are made at once, where only the best is wanted
 Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const PlanRequest& other,
-                                                       double near) {
+                                                       double near, QuickestMeanwhile* meanwhile) {
     PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
     toBeat.time = near * toBeat.time;
+    toBeat.meanwhile = meanwhile;
     auto plan = runner_.run(other, toBeat, quiet_);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
+    }
+    if (plan && meanwhile != nullptr && plan->drivable()) {
+        meanwhile->lower(timeOf(*plan));
     }
     const bool isNear =
         plan &&
@@ -184,17 +202,23 @@ Result<std::optional<PlannedStages>> Chooser::nearPlan(const Best& best, const P
     return isNear ? std::optional{*std::move(plan)} : std::nullopt;
 }
 
-/// Takes the plan with other settings if it is better as driven: whether it did. Cancelled.
-Result<bool> Chooser::takeIfBetter(Best& best, const PlanRequest& other) {
-    auto plan = nearPlan(best, other, 1.0);
-    if (!plan) {
-        return std::unexpected(plan.error());
+/// Takes the best of some plans that are made at once, each from what is the best before. The first of
+/// equals.
+template <class Make>
+Result<void> Chooser::takeBest(Best& best, std::size_t count, const Make& make) {
+    auto made = parallelMap<Result<std::optional<Best>>>(count, make, quiet_);
+    if (!made) {
+        return std::unexpected(made.error());
     }
-    if (!*plan || !isBetter(**plan, best.plan)) {
-        return false;
+    for (auto& other : *made) {
+        if (!other) {
+            return std::unexpected(other.error());
+        }
+        if (*other && isBetter((*other)->plan, best.plan)) {
+            best = **std::move(other);
+        }
     }
-    best.plan = **std::move(plan);
-    return true;
+    return {};
 }
 
 /// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
@@ -206,26 +230,27 @@ Result<void> Chooser::tryCorners(Best& best) {
     }
     std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
     taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
-    for (const std::string_view other : {kRoundedCorner, kLoopCorner, kReverseCorner}) {
-        if (other == taken || !best.plan.drivable()) {
-            continue;
-        }
-        PlanRequest request = best.plan.request;
-        request.settings.set(kHeadlandCorner, std::string{other}).value();
-        const auto isTaken = takeIfBetter(best, request);
-        if (!isTaken) {
-            return std::unexpected(isTaken.error());
-        }
-        taken = *isTaken ? std::string{other} : taken;
-    }
+    std::vector<std::string_view> others{kRoundedCorner, kLoopCorner, kReverseCorner};
+    std::erase_if(others, [&](std::string_view kind) { return kind == taken || !best.plan.drivable(); });
     note(best.instead, kHeadlandCorner, taken);
-    return {};
+    QuickestMeanwhile meanwhile;
+    return takeBest(best, others.size(), [&](std::size_t i) -> Result<std::optional<Best>> {
+        PlanRequest request = best.plan.request;
+        request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
+        return nearPlan(best, request, 1.0, &meanwhile).transform([&](std::optional<PlannedStages>&& plan) {
+            return with(best, std::move(plan)).transform([&](Best&& other) {
+                note(other.instead, kHeadlandCorner, others[i]);
+                return std::move(other);
+            });
+        });
+    });
 }
 
 /// Orders that the route by estimated turns passed over, and that are about as quick by its estimate.
 Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
     std::vector<std::string_view> ids;
-    if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable()) {
+    if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable() ||
+        plan.ordered->route.steps.empty()) {
         return ids;
     }
     const Route& taken = plan.ordered->route;
@@ -249,35 +274,28 @@ Result<void> Chooser::decideOrderAndCorners(Best& best) {
     if (!patterns) {
         return std::unexpected(patterns.error());
     }
-    Result<void> tried = tryCorners(best);
-    for (const std::string_view pattern : *patterns) {
-        tried = tried.and_then([&] { return tryPattern(best, pattern); });
-    }
-    return tried;
+    return tryCorners(best).and_then([&] {
+        return takeBest(best, patterns->size(), [&](std::size_t i) { return inOrder(best, (*patterns)[i]); });
+    });
 }
 
-/// Takes the plan in another order with its own best corners, where that is quicker. Cancelled.
-Result<void> Chooser::tryPattern(Best& best, std::string_view pattern) {
+/// The plan in another order with its own best corners, if it is near. Cancelled.
+Result<std::optional<Best>> Chooser::inOrder(const Best& best, std::string_view pattern) {
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
     auto plan = nearPlan(best, request, kNearInOrder);
     if (!plan || !*plan) {
-        return plan.transform([](auto&&) {});
+        return plan.transform([](auto&&) { return std::optional<Best>{}; });
     }
-    Best other = best;
-    other.plan = **std::move(plan);
+    Best other = *with(best, *std::move(plan));
     note(other.instead, route, pattern);
-    return tryCorners(other).transform([&] {
-        if (isBetter(other.plan, best.plan)) {
-            best = std::move(other);
-        }
-    });
+    return tryCorners(other).transform([&] { return std::optional{std::move(other)}; });
 }
 
-/// Takes the plan along another heading with its own best order and corners, where that is quicker. It is
-/// first planned with the corners of the best plan so far. Cancelled.
-Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate) {
+/// The plan along another heading with its own best order and corners, if it is near. It is first planned
+/// with the corners of the best plan so far. Cancelled.
+Result<std::optional<Best>> Chooser::alongHeading(const Best& best, const HeadingCandidate& candidate) {
     PlanRequest request = along(best.asked, candidate.heading);
     const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
     request.settings.set(kHeadlandCorner, corner).value();
@@ -289,16 +307,15 @@ Result<void> Chooser::tryHeading(Best& best, const HeadingCandidate& candidate) 
         plan = nearPlan(best, request, kNearInHeading);
     }
     if (!plan || !*plan) {
-        return plan.transform([](auto&&) {});
+        return plan.transform([](auto&&) { return std::optional<Best>{}; });
     }
-    Best other = best;
-    other.plan = **std::move(plan);
+    Best other = *with(best, *std::move(plan));
     forget(other.instead, *stageMethod("route"));
     return decideOrderAndCorners(other).transform([&] {
         if (isBetter(other.plan, best.plan)) {
             other.notes = {{anotherHeading(candidate, reasonFor(other.plan, best.plan)), "instead", {}}};
-            best = std::move(other);
         }
+        return std::optional{std::move(other)};
     });
 }
 
@@ -314,9 +331,11 @@ Result<Best> Chooser::improved(const PlanRequest& request, const JobContext& job
     Result<void> tried = decideOrderAndCorners(best);
     const bool hasOneHeading = !hasHeadingPerCell(request.settings);
     if (!hasOwnOrder(request.settings) && hasOneHeading) {
-        for (const HeadingCandidate& candidate : headingsToTry(*asked)) {
-            tried = tried.and_then([&] { return tryHeading(best, candidate); });
-        }
+        const std::vector<HeadingCandidate> headings = headingsToTry(*asked);
+        tried = tried.and_then([&] {
+            return takeBest(best, headings.size(),
+                            [&](std::size_t i) { return alongHeading(best, headings[i]); });
+        });
     }
     return tried.transform([&] { return std::move(best); });
 }

@@ -24,15 +24,6 @@ namespace {
 // Of the progress where obstacles may have to be planned once more.
 constexpr double kFirstTry = 0.95;
 
-/// Runs one stage and adds the time it took.
-template <class Run>
-auto timed(Duration& taken, const Run& run) {
-    Stopwatch watch;
-    auto result = run();
-    taken += watch.lap();
-    return result;
-}
-
 /// The obstacles that swaths get round. The refused ones get a headland.
 std::vector<Ring> without(std::vector<Ring> obstacles, const std::vector<std::size_t>& refused) {
     for (const std::size_t index : refused | std::views::reverse) {
@@ -47,6 +38,20 @@ std::ptrdiff_t PlannedStages::blockingCount() const {
     return furrow::blockingCount(driven->findings);
 }
 
+void StageRunner::add(Duration StageTimings::* stage, Duration taken) {
+    const std::scoped_lock lock{mutex_};
+    timings_.*stage += taken;
+}
+
+/// Runs one stage and adds the time it took.
+template <class Run>
+auto StageRunner::timed(Duration StageTimings::* stage, const Run& run) {
+    Stopwatch watch;
+    auto result = run();
+    add(stage, watch.lap());
+    return result;
+}
+
 Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest& request,
                                                               const std::shared_ptr<const Ground>& ground,
                                                               const std::vector<Ring>& filled,
@@ -54,7 +59,7 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
                                                               const JobContext& job) {
     return cache_.headlands.get(request, {ground, filled}, [&](const PlanRequest& asking) {
         const Settings& settings = asking.settings;
-        return timed(timings_.headland, [&] {
+        return timed(&StageTimings::headland, [&] {
             return headlandMethod(settings).run(
                 {.field = *asking.field,
                  .drivable = ground->drivable,
@@ -89,7 +94,7 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
         const JobContext searching = part.part(0.12, 0.9);
         const MultiPolygon& mainland = (*headland)->mainland;
         const auto found = cache_.searches.get(request, mainland, [&](const PlanRequest& asking) {
-            return timed(timings_.swaths, [&] { return swathsByMethod(asking, mainland, searching); });
+            return timed(&StageTimings::swaths, [&] { return swathsByMethod(asking, mainland, searching); });
         });
         if (!found) {
             return std::unexpected(found.error());
@@ -102,7 +107,7 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
                                    .mainland = mainland,
                                    .passes = (*headland)->passes,
                                    .found = **found};
-                return timed(timings_.swaths, [&] {
+                return timed(&StageTimings::swaths, [&] {
                     return layStage(task, part.part(0.9, 0.95)).and_then([&](LaidSwaths&& laid) {
                         return roundStage(std::move(laid), round, task, part.part(0.95, 1.0));
                     });
@@ -127,7 +132,8 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
         return std::unexpected(laid.error());
     }
     auto ordered = cache_.orders.get(request, laid->laid, [&](const PlanRequest& asking) {
-        return timed(timings_.route, [&] { return orderStage(asking, *laid->laid, job.part(0.8, 0.85)); });
+        return timed(&StageTimings::route,
+                     [&] { return orderStage(asking, *laid->laid, job.part(0.8, 0.85)); });
     });
     if (!ordered) {
         return std::unexpected(ordered.error());
@@ -135,14 +141,15 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
     auto driven = cache_.drives.get(request, {ground, laid->headland, laid->laid, *ordered, request.draft},
                                     [&](const PlanRequest& asking) {
                                         const DriveTask task{.request = asking,
-                                                             .ground = *ground,
+                                                             .ground = ground,
                                                              .headland = *laid->headland,
                                                              .laid = *laid->laid,
-                                                             .ordered = **ordered};
+                                                             .ordered = **ordered,
+                                                             .rooms = cache_.rooms};
                                         auto made = driveStage(task, toBeat, job.part(0.85, 1.0));
                                         if (made) {
-                                            timings_.path += made->driving;
-                                            timings_.audit += made->auditing;
+                                            add(&StageTimings::path, made->driving);
+                                            add(&StageTimings::audit, made->auditing);
                                         }
                                         return made;
                                     });

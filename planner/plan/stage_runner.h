@@ -4,6 +4,7 @@
 #include "planner/plan/stage_cache.h"
 #include "planner/plan/stages.h"
 
+#include <mutex>
 #include <optional>
 
 namespace furrow {
@@ -31,7 +32,7 @@ struct PlannedStages {
 };
 
 /// Runs the stages of requests one after the other. A stage is not run again where the cache holds its
-/// result.
+/// result. May be used by several threads at once.
 class StageRunner {
 public:
     explicit StageRunner(StageCache& cache) : cache_{cache} {}
@@ -44,7 +45,7 @@ public:
     Result<PlannedStages> run(const PlanRequest& request, std::optional<PlanToBeat> toBeat,
                               const JobContext& job);
 
-    /// Of all that was run so far.
+    /// Of all that was run so far, added up over threads. Not while something runs.
     const StageTimings& timings() const { return timings_; }
 
 private:
@@ -58,7 +59,12 @@ private:
                                        const std::shared_ptr<const Ground>& ground, std::vector<Ring> round,
                                        std::optional<PlanToBeat> toBeat, const JobContext& job);
 
+    void add(Duration StageTimings::* stage, Duration taken);
+    template <class Run>
+    auto timed(Duration StageTimings::* stage, const Run& run);
+
     StageCache& cache_;
+    std::mutex mutex_;
     StageTimings timings_;
 };
 
