@@ -106,7 +106,8 @@ void TestAllFields::everyFieldIsPlannedOrRefusedForAReason() {
             continue;
         }
         tally.addPlan(**plan, source.id, isLarge);
-        QVERIFY2(!(*plan)->swaths.swaths.empty(), source.id.c_str());
+        // A narrow field may be passes around it alone.
+        QVERIFY2(!(*plan)->swaths.swaths.empty() || (*plan)->headland.isPerimeterOnly, source.id.c_str());
         QVERIFY2((*plan)->swaths.coverage > 0.0 && (*plan)->swaths.coverage <= 1.0, source.id.c_str());
         QCOMPARE((*plan)->route.steps.size(), (*plan)->swaths.swaths.size());
     }
