@@ -70,7 +70,7 @@ void printReport(const WrittenPlan& plan, const AuditReport& report) {
 int runAudit(const AuditArguments& arguments) {
     const InterruptWatch watch;
     const JobContext job = terminalJob(watch, 0, arguments.json);
-    auto plan = readPlan(arguments.plan, job);
+    auto plan = readPlan(arguments.plan, job.part(0.0, 0.1));
     if (!plan) {
         clearProgress(arguments.json);
         return failWith(plan.error());
@@ -83,7 +83,7 @@ int runAudit(const AuditArguments& arguments) {
         }
         plan->machine = std::move(*machine);
     }
-    const auto report = audit(auditInput(*plan), job);
+    const auto report = audit(auditInput(*plan), job.part(0.1, 1.0));
     clearProgress(arguments.json);
     if (!report) {
         return failWith(report.error());

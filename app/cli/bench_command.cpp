@@ -96,7 +96,7 @@ int runPaper(const PaperArguments& arguments) {
     const JobContext job = terminalJob(watch, 0, arguments.json);
     std::vector<FieldSource> fields = paperFields();
     if (!arguments.fields.empty()) {
-        auto read = readBoundaries(arguments.fields, job);
+        auto read = readBoundaries(arguments.fields, job.part(0.0, 0.0));
         if (!read) {
             return failWith(read.error());
         }
@@ -178,7 +178,7 @@ int runSpeed(const SpeedArguments& arguments) {
     }
     const std::string json = speedJson(*cases).dump(2) + "\n";
     if (!arguments.out.empty()) {
-        const std::vector<FileToWrite> files{{"speed.json", [&json] { return json; }}};
+        const std::vector<FileToWrite> files{{"speed.json", [&json] { return std::string{json}; }}};
         if (const auto written = writeTogether(arguments.out, files, {}); !written) {
             return failWith(written.error());
         }

@@ -8,6 +8,7 @@
 #include "planner/io/delivery/plan_folder.h"
 #include "planner/io/delivery/terminals.h"
 #include "planner/plan/advice.h"
+#include "planner/plan/draft.h"
 #include "planner/project/field_tasks.h"
 #include "planner/units/angle.h"
 
@@ -32,6 +33,7 @@ struct PlanArguments {
     std::optional<std::string> terminal;
     ExportOptions options;
     PlanningArguments planning;
+    bool progress = false;
 };
 
 // More would push the plan itself off the screen.
@@ -107,10 +109,25 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
     }
 }
 
+/// A draft is there at once, also where the plan takes long. A draft that cannot be made is not worth a word:
+/// the plan tells the reason.
+void printFirstPlan(const PlanRequest& request, const JobContext& job) {
+    const auto draft = makePlan(draftOf(request, nullptr), {.stop = job.stop, .progress = {}, .threads = 1});
+    if (!draft) {
+        return;
+    }
+    const Plan& plan = **draft;
+    std::println(stderr, "first plan after {:.0f} ms, a draft: {} · {} · {}", 1e3 * plan.timings.total.si(),
+                 counted(static_cast<long long>(plan.swaths.swaths.size()), "swath", "swaths"),
+                 kilometres(plan.path.length()), hoursMinutes(plan.path.duration()));
+}
+
 int runPlan(const PlanArguments& arguments) {
     const PlanningArguments& planning = arguments.planning;
     const InterruptWatch watch;
-    const JobContext job = terminalJob(watch, planning.threads, planning.quiet || planning.json);
+    const bool noBar = planning.quiet || planning.json || arguments.progress;
+    const JobContext job =
+        arguments.progress ? linesJob(watch, planning.threads) : terminalJob(watch, planning.threads, noBar);
     const auto choices = choicesFrom(planning, standardPlanFormats());
     if (!choices) {
         return failWith(choices.error());
@@ -126,25 +143,35 @@ int runPlan(const PlanArguments& arguments) {
     }
     const auto task = readFieldTask(
         arguments.field, arguments.fieldId,
-        {.planName = arguments.planName, .machine = choices->machine, .settings = choices->settings}, job);
+        {.planName = arguments.planName, .machine = choices->machine, .settings = choices->settings},
+        job.part(0.0, 0.05));
     if (!task) {
         return failWith(task.error());
     }
-    auto field = Field::create(task->source, job);
+    auto field = Field::create(task->source, job.part(0.05, 0.1));
     if (!field) {
         return failWith(field.error());
     }
     const auto plan =
-        planRequest(std::make_shared<const Field>(std::move(*field)), task->machine, task->settings, job)
-            .and_then([&job](const PlanRequest& request) { return makePlan(request, job); })
-            .and_then([&job](const auto& made) { return withAdvice(made, job); });
-    clearProgress(planning.quiet || planning.json);
+        planRequest(std::make_shared<const Field>(std::move(*field)), task->machine, task->settings,
+                    job.part(0.1, 0.1))
+            .and_then([&](const PlanRequest& request) {
+                if (arguments.progress) {
+                    printFirstPlan(request, job);
+                }
+                return makePlan(request, job.part(0.1, 0.8));
+            })
+            .and_then([&job](const auto& made) { return withAdvice(made, job.part(0.8, 0.95)); });
     if (!plan) {
+        clearProgress(noBar);
         return failWith(plan.error());
     }
+    const JobContext rest = job.part(0.95, 1.0);
     const auto written =
-        terminal ? writeForTerminal(**plan, planning.out, *terminal, job)
-                 : writePlanFolder(**plan, planning.out, choices->formats, job, arguments.options);
+        terminal ? writeForTerminal(**plan, planning.out, *terminal, rest)
+                 : writePlanFolder(**plan, planning.out, choices->formats, rest, arguments.options);
+    job.report(1.0);
+    clearProgress(noBar);
     if (!written) {
         return failWith(written.error());
     }
@@ -174,6 +201,8 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
             "--terminal", arguments->terminal,
             "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
         ->excludes("--format");
+    plan->add_flag("--progress", arguments->progress,
+                   "Tell on standard error how far planning is, line by line, and a draft at once");
     addExportOptions(*plan, arguments->options, true);
     plan->footer(
         "Of a project (Farm.furrow) the field has its edge headlands, and the machine and settings of its plan;\n"

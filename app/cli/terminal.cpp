@@ -6,8 +6,10 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <print>
+#include <utility>
 
 namespace furrow::cli {
 
@@ -23,6 +25,21 @@ sigset_t stopSignals() {
 
 bool showsProgress(bool quiet) {
     return !quiet && ::isatty(STDERR_FILENO) == 1;
+}
+
+/// Calls tell(step) for every step that the work reaches, of this many in all. Work reports from many
+/// threads, and not always in order.
+std::function<void(double)> inSteps(int steps, std::function<void(int)> tell) {
+    return [steps, tell = std::move(tell), told = std::make_shared<std::atomic<int>>(0)](double share) {
+        const int step = static_cast<int>(share * steps);
+        int before = told->load();
+        while (step > before) {
+            if (told->compare_exchange_weak(before, step)) {
+                tell(step);
+                return;
+            }
+        }
+    };
 }
 
 }  // namespace
@@ -46,21 +63,19 @@ InterruptWatch::~InterruptWatch() {
 JobContext terminalJob(const InterruptWatch& watch, int threads, bool quiet) {
     JobContext job{.stop = watch.token(), .progress = {}, .threads = threads};
     if (showsProgress(quiet)) {
-        // Reported from many threads: only a step forward of a whole percent is drawn.
-        job.progress = [shown = std::make_shared<std::atomic<int>>(-1)](double share) {
-            const int percent = static_cast<int>(share * 100.0);
-            int before = shown->load();
-            while (percent > before) {
-                if (shown->compare_exchange_weak(before, percent)) {
-                    std::print(stderr, "\r[{:<40}] {:3} %",
-                               std::string(static_cast<std::size_t>(percent) * 40 / 100, '='), percent);
-                    std::fflush(stderr);
-                    break;
-                }
-            }
-        };
+        job.progress = inSteps(100, [](int percent) {
+            std::print(stderr, "\r[{:<40}] {:3} %",
+                       std::string(static_cast<std::size_t>(percent) * 40 / 100, '='), percent);
+            std::fflush(stderr);
+        });
     }
     return job;
+}
+
+JobContext linesJob(const InterruptWatch& watch, int threads) {
+    return {.stop = watch.token(),
+            .progress = inSteps(10, [](int tenth) { std::println(stderr, "progress {} %", 10 * tenth); }),
+            .threads = threads};
 }
 
 void clearProgress(bool quiet) {

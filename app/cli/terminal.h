@@ -26,6 +26,9 @@ private:
 /// A context that stops on Ctrl+C and draws a bar on standard error where that is a terminal.
 JobContext terminalJob(const InterruptWatch& watch, int threads, bool quiet);
 
+/// The same, with a line on standard error for each tenth of the work, for other programs to read.
+JobContext linesJob(const InterruptWatch& watch, int threads);
+
 /// Takes the bar away again.
 void clearProgress(bool quiet);
 

@@ -39,7 +39,7 @@ PlanRequest draftOf(PlanRequest request, const Plan* before) {
     settings.clear(kCellHeading);
     const bool ownWidth = settings.isSet(kHeadlandWidth) || settings.isSet(kHeadlandPasses);
     if (headlandMethod(settings).traits.isOneWidth && before != nullptr && !ownWidth &&
-        before->headland.width > metres(0.0)) {
+        before->request.machine == request.machine && before->headland.width > metres(0.0)) {
         // As wide as the passes make it that are left out.
         settings.set(kHeadlandWidth, before->headland.width.si()).value();
     }

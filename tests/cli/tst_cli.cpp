@@ -189,7 +189,7 @@ private slots:
             QList<QJsonObject> swaths;
             const QJsonDocument json =
                 QJsonDocument::fromJson(contentsOf(folder.filePath(plan + "/plan.geojson")));
-            for (const QJsonValue& feature : json["features"].toArray()) {
+            for (const QJsonValue feature : json["features"].toArray()) {
                 const QJsonObject properties = feature["properties"].toObject();
                 if (properties["kind"].toString() == "swath" &&
                     (!tramlinesOnly || properties["tramline"].toBool())) {
@@ -262,7 +262,7 @@ private slots:
         const QJsonObject plan =
             QJsonDocument::fromJson(contentsOf(folder.filePath("plan.geojson"))).object();
         QList<QJsonObject> path;
-        for (const QJsonValue& feature : plan["features"].toArray()) {
+        for (const QJsonValue feature : plan["features"].toArray()) {
             const QJsonObject properties = feature["properties"].toObject();
             ++kinds[properties["kind"].toString()];
             if (properties["kind"] == "path") {
@@ -385,6 +385,32 @@ private slots:
         const QByteArray before = contentsOf(out + "/batch-1-of-2.jsonl");
         QCOMPARE(furrowCli({"batch", two, "--out", out, "--shard", "1/2", "--resume", "--quiet"}).status, 0);
         QCOMPARE(contentsOf(out + "/batch-1-of-2.jsonl"), before);
+    }
+
+    void progressIsToldInLines() {
+        const QTemporaryDir folder;
+        const Answer told = furrowCli(
+            {"plan", sampleField("home_field"), "--out", folder.filePath("told"), "--progress", "--json"});
+        QVERIFY2(told.status == 0, told.all());
+        QVERIFY(!told.json().isEmpty());
+        const QList<QByteArray> lines = told.error.trimmed().split('\n');
+        QVERIFY2(lines.first().startsWith("first plan after "), told.all());
+        QVERIFY2(lines.first().contains(", a draft: "), told.all());
+        QCOMPARE(lines.last(), QByteArray{"progress 100 %"});
+        int before = 0;
+        for (const QByteArray& line : lines.mid(1)) {
+            QVERIFY2(line.startsWith("progress ") && line.endsWith(" %"), told.all());
+            const int percent = line.mid(9).chopped(2).toInt();
+            QVERIFY2(percent > before && percent <= 100, told.all());
+            before = percent;
+        }
+        // The draft is to look at: what is written is the plan.
+        const Answer silent =
+            furrowCli({"plan", sampleField("home_field"), "--out", folder.filePath("silent"), "--quiet"});
+        QCOMPARE(silent.status, 0);
+        QVERIFY(silent.error.isEmpty());
+        QCOMPARE(contentsOf(folder.filePath("told/plan.geojson")),
+                 contentsOf(folder.filePath("silent/plan.geojson")));
     }
 
     void listsAreJsonObjects() {

@@ -13,6 +13,9 @@ namespace furrow {
 
 namespace {
 
+/// A plan that took longer is followed by a draft of the next one first.
+constexpr Duration kLongToWaitFor = seconds(0.5);
+
 /// With a changed setting, those give way that cannot stand beside it.
 void clearOthers(Settings& settings, const Parameter& changed, const SettingValue& value) {
     if (!changed.excludes.empty() && !std::holds_alternative<Auto>(value)) {
@@ -39,7 +42,7 @@ Planning::Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Pr
     connect(&document_, &Document::projectChanged, this, &Planning::followDocument);
     connect(&document_, &Document::dragEnded, this, [this] {
         if (draftAsked_) {
-            requestPlan(JobRunner::Replace::Now);
+            requestPlan(Wanted::Plan);
         }
     });
     connect(&opener_, &FieldOpener::stateChanged, this, &Planning::updateState);
@@ -93,7 +96,7 @@ void Planning::cancel() {
 
 void Planning::planAgain() {
     again_ = shown_.source() != nullptr;
-    requestPlan(JobRunner::Replace::Now);
+    requestPlan(Wanted::Plan);
 }
 
 void Planning::followDocument() {
@@ -126,7 +129,9 @@ void Planning::followDocument() {
         keepPlan();
     } else if (stale || (draftAsked_ && !document_.isDragging())) {
         const bool live = document_.isDragging() && !otherPlan;
-        requestPlan(live ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
+        requestPlan(live                 ? Wanted::DraftWhileDragging
+                    : startsWithADraft() ? Wanted::DraftFirst
+                                         : Wanted::Plan);
     }
     updateState();
     if (otherField) {
@@ -152,7 +157,7 @@ void Planning::changeSetting(const Parameter* parameter, const SettingValue& val
         if (!live && document_.isDragging()) {
             document_.endDrag();
             if (!isOfWhatIsShown()) {
-                requestPlan(JobRunner::Replace::Now);
+                requestPlan(Wanted::Plan);
             }
         }
         return;
@@ -169,12 +174,16 @@ void Planning::changeSetting(const Parameter* parameter, const SettingValue& val
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }
 
-void Planning::requestPlan(JobRunner::Replace replace) {
+bool Planning::startsWithADraft() const {
+    return wholePlan_ == nullptr || wholePlan_->timings.total > kLongToWaitFor;
+}
+
+void Planning::requestPlan(Wanted wanted) {
     if (!shown_.source()) {
         return;
     }
     stopped_ = false;
-    draftAsked_ = replace == JobRunner::Replace::WhenDone;
+    draftAsked_ = wanted != Wanted::Plan;
     planner_.submit(
         [this, source = shown_.source(), field = field_, machine = machine_.machine(), settings = settings(),
          draft = draftAsked_, before = wholePlan_,
@@ -182,7 +191,7 @@ void Planning::requestPlan(JobRunner::Replace replace) {
             PlanOutcome outcome = planned(source, field, machine, settings, draft, before.get(), *cache, job);
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
-        replace);
+        wanted == Wanted::DraftWhileDragging ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     updateState();
 }
 
@@ -190,13 +199,20 @@ void Planning::take(PlanOutcome outcome) {
     if (!shown_.source() || (outcome.error && outcome.error->code == ErrorCode::Cancelled)) {
         return;
     }
+    if (outcome.source == shown_.source()) {
+        field_ = outcome.field;
+    }
+    const bool goesOn = draftAsked_ && !document_.isDragging();
+    if (goesOn) {
+        requestPlan(Wanted::Plan);
+        if (!outcome.plan) {
+            return;  // the whole plan tells the reason
+        }
+    }
     again_ = false;
     problem_.clear();
     if (outcome.error) {
         problem_.show(*outcome.error);
-    }
-    if (outcome.source == shown_.source()) {
-        field_ = outcome.field;
     }
     if (!outcome.plan || !outcome.plan->request.draft) {
         wholePlan_ = outcome.plan;

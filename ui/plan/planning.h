@@ -62,12 +62,19 @@ signals:
 
 private:
     using Source = ShownPlan::Source;
+    enum class Wanted {
+        Plan,
+        DraftFirst,          ///< something to look at, then the plan
+        DraftWhileDragging,  ///< the plan is asked for when the user lets go
+    };
 
     void followDocument();
     /// What was planned before belongs to another field.
     void begin(const Source& source);
     void changeSetting(const Parameter* parameter, const SettingValue& value, bool live);
-    void requestPlan(JobRunner::Replace replace);
+    /// Whether the plan will be long in coming, as far as can be told.
+    bool startsWithADraft() const;
+    void requestPlan(Wanted wanted);
     void take(PlanOutcome outcome);
     /// The plan is whole, and of the field, machine and settings that the panels show.
     bool isOfWhatIsShown() const;

@@ -1,4 +1,5 @@
 #include "planner/headland/headland_passes.h"
+#include "planner/headland/methods.h"
 #include "planner/plan/draft.h"
 #include "planner/plan/method_registry.h"
 #include "tests/support/field_generator.h"
@@ -65,6 +66,15 @@ private slots:
             QVERIFY2(draft.settings.value(parameter) == request.settings.value(parameter), key);
         }
         QVERIFY(!draft.settings.flag(kHeadlandDriven));
+    }
+    void anotherMachineHasItsOwnHeadland() {
+        PlanRequest request{
+            .field = fieldOf({{0, 0}, {400, 0}, {400, 300}, {0, 300}}), .machine = agbot(), .settings = {}};
+        const auto whole = makePlan(request);
+        VERIFY_RESULT(whole);
+        request.machine = findMachine("mounted-drill").value();
+        const PlanRequest draft = draftOf(request, whole->get());
+        QVERIFY(!draft.settings.isSet(kHeadlandWidth));
     }
     void withoutAPlanBeforeNoHeadingIsSearched() {
         const PlanRequest request{

@@ -219,6 +219,50 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.shown()->isDraft(), kPatienceMs);
         QCOMPARE(session.planning()->state(), PlanState::Ready);
     }
+    void aFieldIsOpenedWithADraftAndThenItsWholePlan() {
+        Session session;
+        std::vector<bool> drafts;
+        connect(session.shown(), &ShownPlan::planChanged, this, [&session, &drafts] {
+            if (session.shown()->hasPlan()) {
+                drafts.push_back(session.shown()->isDraft());
+            }
+        });
+        session.opener()->addDrawn(drawnRectangle());
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->hasPlan(), kPatienceMs);
+        QVERIFY(session.shown()->isDraft());
+        // Something to look at: it stays in the window until it is whole.
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.shown()->isDraft());
+        QCOMPARE(std::ranges::count(drafts, true), 1);
+        // Planned in less than half a second: what is chosen next comes whole, without flicker in between.
+        if (session.shown()->plan()->timings.total < seconds(0.5)) {
+            drafts.clear();
+            ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
+            headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
+            QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
+            QCOMPARE(std::ranges::count(drafts, true), 0);
+        }
+    }
+    void afterAPlanThatTookLongTheNextBeginsWithADraft() {
+        Session session;
+        session.opener()->addDrawn(drawnRectangle());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        // 9,000 headings take longer than half a second anywhere.
+        ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
+        swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")),
+                          methodIndex("swaths", "brute-force"));
+        swaths->setNumber(rowOf(*swaths, QStringLiteral("swaths.step_deg")), 0.02);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->swaths.headingsTried >= 9000, kPatienceMs);
+        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
+        headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
+        QVERIFY(session.shown()->isDraft());
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.shown()->isDraft());
+    }
     void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
         Session session;
         session.opener()->addDrawn({{58.25, 22.5}, {58.2535, 22.507}, {58.25, 22.507}, {58.2535, 22.5}});
