@@ -95,6 +95,12 @@ bool isNoWorse(SwathObjective objective, const HeadingFigures& edge, const Headi
                : isAsGood(objective, edge, best);
 }
 
+/// Whether a heading may be no worse, by its lines alone where these decide. Areas take much longer.
+bool mayBeNoWorse(const ScanLine& scanLine, Angle heading, SwathObjective objective,
+                  const HeadingFigures& best) {
+    return !isOfLines(objective) || isAsGood(objective, scanLine.lineFigures(heading, objective), best);
+}
+
 Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     const bool isLongest =
         preferred.longestEdge && preferred.longestEdge->heading == preferred.chosen.heading;
@@ -182,20 +188,25 @@ PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, Sw
     PreferredHeading preferred{.chosen = best};
     const double share = 0.01 * *task.settings.percent(kPreferEdge);
     const std::vector<LongEdge> edges = longEdges(task.field.boundary(), task.machine.operatingWidth());
-    for (std::size_t i = 0; i < std::min(edges.size(), kMostEdges); ++i) {
-        const BestHeading along{edges[i].heading, scanLine.figures(edges[i].heading, objective)};
-        if (i == 0) {
-            preferred.longestEdge = along;
-        }
-        if (share <= 0.0) {
-            break;
-        }
-        const double offDeg = apartDeg(along.heading, best.heading);
+    const auto along = [&](Angle heading) {
+        return BestHeading{heading, scanLine.figures(heading, objective)};
+    };
+    if (!edges.empty()) {
+        preferred.longestEdge = along(edges.front().heading);
+    }
+    const std::size_t tried = share > 0.0 ? std::min(edges.size(), kMostEdges) : 0;
+    for (std::size_t i = 0; i < tried; ++i) {
+        const Angle heading = edges[i].heading;
+        const double offDeg = apartDeg(heading, best.heading);
         if (offDeg < kSameDeg) {
             break;
         }
-        if (isNoWorse(objective, along.figures, best.figures, share)) {
-            preferred.chosen = along;
+        if (i > 0 && !mayBeNoWorse(scanLine, heading, objective, best.figures)) {
+            continue;
+        }
+        const BestHeading edge = i == 0 ? *preferred.longestEdge : along(heading);
+        if (isNoWorse(objective, edge.figures, best.figures, share)) {
+            preferred.chosen = edge;
             preferred.best = offDeg > kUnseenDeg ? std::optional{best} : std::nullopt;
             break;
         }
@@ -207,7 +218,6 @@ Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, S
                               const BestHeading& best, std::vector<BestHeading> tried,
                               const JobContext& job) {
     const PreferredHeading preferred = preferEdges(scanLine, task, objective, best);
-    const Angle longest = normalisedSwathHeading(longestEdgeHeading(task));
     return swathsAlong(scanLine, task, preferred.chosen.heading, objective, job).transform([&](SwathSet set) {
         if (preferred.best) {
             set.notes.push_back(noteOf(preferred, objective));
@@ -215,6 +225,7 @@ Result<SwathSet> swathsOfBest(const ScanLine& scanLine, const SwathTask& task, S
         if (objective == SwathObjective::Time) {
             tried.push_back(best);
             // The longest edge of the mainland may be another one than that of the field.
+            const Angle longest = normalisedSwathHeading(longestEdgeHeading(task));
             std::vector<BestHeading> edges{{longest, scanLine.figures(longest, objective)}};
             if (preferred.longestEdge) {
                 edges.insert(edges.begin(), *preferred.longestEdge);

@@ -1,5 +1,7 @@
 #include "planner/swaths/edge_tree.h"
 
+#include <numbers>
+
 namespace furrow {
 
 namespace {
@@ -8,6 +10,9 @@ namespace {
 constexpr std::uint32_t kEdgesInLeaf = 4;
 // Rounding of a height, as a share of the largest coordinate.
 constexpr double kRounding = 1e-14;
+// Edges nearer to level than this, in radians, are looked at one by one.
+constexpr double kNearlyLevel = 1e-6;
+constexpr double kNoCone = 2.0;
 
 }  // namespace
 
@@ -20,33 +25,53 @@ EdgeTree::EdgeTree(const std::vector<Point>& vertices, const std::vector<std::si
     std::size_t begin = 0;
     for (const std::size_t end : ringEnds) {
         if (end > begin) {
-            roots_.push_back(add(vertices, static_cast<std::uint32_t>(end - 1),
-                                 static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)));
+            const auto last = static_cast<std::uint32_t>(end);
+            roots_.push_back(
+                add(vertices, {.before = last - 1, .first = static_cast<std::uint32_t>(begin), .end = last})
+                    .node);
         }
         begin = end;
     }
 }
 
-std::uint32_t EdgeTree::add(const std::vector<Point>& vertices, std::uint32_t before, std::uint32_t first,
-                            std::uint32_t end) {
-    Point low = vertices[before];
+EdgeTree::Cone EdgeTree::around(const Cone& a, const Cone& b) {
+    if (a.isEmpty() || b.isEmpty()) {
+        return a.isEmpty() ? b : a;
+    }
+    const double between = std::remainder(b.middle - a.middle, 2.0 * std::numbers::pi);
+    const double low = std::min(-a.spread, between - b.spread);
+    const double high = std::max(a.spread, between + b.spread);
+    return {.middle = a.middle + 0.5 * (low + high), .spread = 0.5 * (high - low)};
+}
+
+EdgeTree::Added EdgeTree::add(const std::vector<Point>& vertices, const Run& run) {
+    Point low = vertices[run.before];
     Point high = low;
-    for (std::uint32_t i = first; i < end; ++i) {
+    for (std::uint32_t i = run.first; i < run.end; ++i) {
         low = {std::min(low.x, vertices[i].x), std::min(low.y, vertices[i].y)};
         high = {std::max(high.x, vertices[i].x), std::max(high.y, vertices[i].y)};
     }
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({.middle = 0.5 * (low + high),
-                      .half = 0.5 * (high - low),
-                      .before = before,
-                      .first = first,
-                      .end = end});
-    if (end - first > kEdgesInLeaf) {
-        const std::uint32_t middle = first + (end - first) / 2;
-        add(vertices, before, first, middle);
-        nodes_[node].right = add(vertices, middle - 1, middle, end);
+    Added added{.node = static_cast<std::uint32_t>(nodes_.size()), .cone = {}};
+    nodes_.push_back({.middle = 0.5 * (low + high), .half = 0.5 * (high - low), .axis = {}, .run = run});
+    if (run.size() > kEdgesInLeaf) {
+        const std::uint32_t middle = run.first + run.size() / 2;
+        const Added left = add(vertices, {.before = run.before, .first = run.first, .end = middle});
+        const Added right = add(vertices, {.before = middle - 1, .first = middle, .end = run.end});
+        nodes_[added.node].right = right.node;
+        added.cone = around(left.cone, right.cone);
+    } else {
+        for (std::uint32_t i = 0; i < run.size(); ++i) {
+            const Point edge = vertices[run.vertex(i + 1)] - vertices[run.vertex(i)];
+            if (edge.x != 0.0 || edge.y != 0.0) {
+                added.cone = around(added.cone, {.middle = std::atan2(edge.y, edge.x), .spread = 0.0});
+            }
+        }
     }
-    return node;
+    const double spread = added.cone.spread + kNearlyLevel;
+    Node& node = nodes_[added.node];
+    node.axis = direction(added.cone.middle);
+    node.spreadSine = spread < 0.5 * std::numbers::pi ? std::sin(spread) : kNoCone;
+    return added;
 }
 
 double EdgeTree::highest(const std::vector<Point>& vertices, double cosine, double sine) const {
@@ -60,7 +85,7 @@ double EdgeTree::highest(const std::vector<Point>& vertices, double cosine, doub
                 continue;
             }
             if (node.right == 0) {
-                for (std::uint32_t i = node.first; i < node.end; ++i) {
+                for (std::uint32_t i = node.run.first; i < node.run.end; ++i) {
                     highest = std::max(highest, cosine * vertices[i].y - sine * vertices[i].x);
                 }
                 continue;

@@ -13,9 +13,21 @@
 namespace furrow {
 
 /// A tree over the edges of rings. Each node is a run of edges that follow on each other, with the box around
-/// them. A line that crosses k edges of n is found in O(k log n). Immutable; thread-safe.
+/// them and the cone of their directions. Immutable; thread-safe.
 class EdgeTree {
 public:
+    enum class Trend { Falls, Rises, Mixed };
+    /// Edges that follow on each other.
+    struct Run {
+        std::uint32_t before = 0;  ///< the vertex at which the first edge begins
+        std::uint32_t first = 0;   ///< vertices at which edges end
+        std::uint32_t end = 0;
+
+        std::uint32_t size() const { return end - first; }
+        /// The i-th vertex, of 0 to size().
+        std::uint32_t vertex(std::uint32_t i) const { return i == 0 ? before : first + i - 1; }
+    };
+
     EdgeTree() = default;
     /// @param vertices  rings one after the other; not kept
     /// @param ringEnds  one past the last vertex of each ring
@@ -26,14 +38,12 @@ public:
     /// The largest cosine * y - sine * x of all vertices. O(log n) on average.
     double highest(const std::vector<Point>& vertices, double cosine, double sine) const;
 
-    /// Calls visit(from, to) with the vertices of every edge of the runs whose height range may matter, where
-    /// heights are as in `highest`.
+    /// Calls visit(run, trend) with runs whose height range may matter, ring by ring and in their order,
+    /// where heights are as in `highest`: runs that rise or fall all along, and short ones for the rest. O(t
+    /// log n) for t places at which the outline turns up or down.
     /// @param mayMatter  (low, high) of a run, a little wider than it is
     template <class MayMatter, class Visit>
-    void visitEdges(double cosine, double sine, const MayMatter& mayMatter, const Visit& visit) const {
-        if (nodes_.empty()) {
-            return;
-        }
+    void visitRuns(double cosine, double sine, const MayMatter& mayMatter, const Visit& visit) const {
         forEachRoot([&](std::uint32_t root) {
             std::array<std::uint32_t, kMostDepth> open{root};
             for (std::size_t count = 1; count > 0;) {
@@ -43,11 +53,9 @@ public:
                 if (!mayMatter(low, high)) {
                     continue;
                 }
-                if (node.right == 0) {
-                    std::uint32_t from = node.before;
-                    for (std::uint32_t to = node.first; to < node.end; from = to++) {
-                        visit(from, to);
-                    }
+                const Trend trend = node.trend(cosine, sine);
+                if (trend != Trend::Mixed || node.right == 0) {
+                    visit(node.run, trend);
                 } else {
                     open[count++] = node.right;
                     open[count++] = at + 1;
@@ -61,19 +69,35 @@ private:
 
     struct Node {
         Point middle;
-        Point half;                ///< of the box
-        std::uint32_t before = 0;  ///< the vertex at which the first edge begins
-        std::uint32_t first = 0;   ///< vertices at which edges end
-        std::uint32_t end = 0;
+        Point half;               ///< of the box
+        Point axis;               ///< of the directions
+        double spreadSine = 0.0;  ///< of the angle to the axis; more than 1 where there is no cone
+        Run run;
         std::uint32_t right = 0;  ///< child; the left one follows the node; 0 for a leaf
+
+        Trend trend(double cosine, double sine) const {
+            const double slope = cosine * axis.y - sine * axis.x;
+            return slope > spreadSine ? Trend::Rises : slope < -spreadSine ? Trend::Falls : Trend::Mixed;
+        }
+    };
+    /// Directions up to `spread` to both sides of `middle`, in radians.
+    struct Cone {
+        double middle = 0.0;
+        double spread = -1.0;  ///< less than 0 for none
+
+        bool isEmpty() const { return spread < 0.0; }
+    };
+    struct Added {
+        std::uint32_t node = 0;
+        Cone cone;
     };
     struct Heights {
         double low = 0.0;
         double high = 0.0;
     };
 
-    std::uint32_t add(const std::vector<Point>& vertices, std::uint32_t before, std::uint32_t first,
-                      std::uint32_t end);
+    static Cone around(const Cone& a, const Cone& b);
+    Added add(const std::vector<Point>& vertices, const Run& run);
     Heights heights(const Node& node, double cosine, double sine) const {
         const double middle = cosine * node.middle.y - sine * node.middle.x;
         const double half = std::abs(cosine) * node.half.y + std::abs(sine) * node.half.x + slackM_;

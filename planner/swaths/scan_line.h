@@ -13,6 +13,8 @@
 
 namespace furrow {
 
+class Ladder;
+
 /// The treatment of the remaining width when swaths are laid side by side.
 enum class LastPass {
     Overlap,  ///< spacing kept; the last swath moves back to the edge and overlaps its neighbour
@@ -92,6 +94,9 @@ private:
     void turnTo(Angle heading, Walk& walk) const;
     template <class Visit>
     void forEachCrossedEdge(Walk& walk, const Visit& visit) const;
+    template <class Visit>
+    void forEachCrossedEdgeOf(const EdgeTree::Run& run, EdgeTree::Trend trend, const Walk& walk,
+                              const Ladder& ladder, const Visit& visit) const;
     /// The possible layouts are numbered from 0.
     int layoutCount(const Walk& walk) const;
     bool movesBack(const Walk& walk) const;

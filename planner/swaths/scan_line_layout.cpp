@@ -17,6 +17,8 @@ constexpr double kShortestSwathM = 1e-3;
 constexpr double kFlushM = 1e-3;
 // Number of shifts tried if the shift is free.
 constexpr int kShifts = 9;
+// A place is guessed so often before what is left is halved.
+constexpr int kGuesses = 8;
 
 /// Splits overlapping intervals into those covered at least once and those covered at least twice.
 void countOverlaps(std::vector<Interval>& intervals, std::vector<Interval>& once,
@@ -177,6 +179,52 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     }
 }
 
+/// The same for a run that rises or falls all along: each track crosses one edge, which is searched from the
+/// one before.
+template <class Visit>
+void ScanLine::forEachCrossedEdgeOf(const EdgeTree::Run& run, EdgeTree::Trend trend, const Walk& walk,
+                                    const Ladder& ladder, const Visit& visit) const {
+    const auto pointAt = [&](std::uint32_t i) { return walk.turned(vertices_[run.vertex(i)]); };
+    const bool rises = trend == EdgeTree::Trend::Rises;
+    // Counted from the lower end.
+    const auto fromBelow = [&](std::uint32_t i) { return pointAt(rises ? i : run.size() - i); };
+    const double topY = fromBelow(run.size()).y;
+    std::uint32_t at = 0;
+    double atY = fromBelow(at).y;
+    double perMetre = run.size() / (topY - atY);
+    const std::size_t last = ladder.below(topY);
+    for (std::size_t track = ladder.below(atY); track < last;) {
+        const double trackY = walk.tracks[track];
+        const std::uint32_t begin = at;
+        const double beginY = atY;
+        // `at` lies at or below the track, `above` above it. Edges are about as long as the last ones.
+        std::uint32_t above = run.size();
+        double aboveY = topY;
+        double place = at + (trackY - atY) * perMetre;
+        for (int tried = 0; above - at > 1; ++tried) {
+            const auto probe = tried < kGuesses
+                                   ? static_cast<std::uint32_t>(std::clamp(place, at + 1.0, above - 1.0))
+                                   : at + (above - at) / 2;
+            const double y = fromBelow(probe).y;
+            place = probe + (trackY - y) * perMetre;
+            if (y > trackY) {
+                above = probe;
+                aboveY = y;
+            } else {
+                at = probe;
+                atY = y;
+                place += 1.0;
+            }
+        }
+        const Point low = fromBelow(at);
+        const Point high = fromBelow(above);
+        const std::size_t next = std::max(track + 1, ladder.below(high.y));
+        visit(track, next, rises ? low : high, rises ? high : low);
+        track = next;
+        perMetre = (above - begin) / (aboveY - beginY);
+    }
+}
+
 /// Calls visit(low, high, from, to) for every edge that tracks from `low` to before `high` cross. Half-open:
 /// a vertex on a centre line counts for one of its two edges.
 template <class Visit>
@@ -192,11 +240,34 @@ void ScanLine::forEachCrossedEdge(Walk& walk, const Visit& visit) const {
         const auto isCrossed = [&ladder](double low, double high) {
             return ladder.below(low) != ladder.below(high);
         };
-        tree_.visitEdges(walk.cosine, walk.sine, isCrossed, [&](std::uint32_t from, std::uint32_t to) {
-            const Point a = walk.turned(vertices_[from]);
-            const Point b = walk.turned(vertices_[to]);
-            offer(ladder.below(a.y), ladder.below(b.y), a, b);
-        });
+        // Runs of one trend that follow on each other are searched as one.
+        EdgeTree::Run waiting;
+        EdgeTree::Trend waitingTrend = EdgeTree::Trend::Mixed;
+        const auto searchWaiting = [&] {
+            if (waiting.size() > 0) {
+                forEachCrossedEdgeOf(waiting, waitingTrend, walk, ladder, visit);
+            }
+        };
+        const auto look = [&](const EdgeTree::Run& run, EdgeTree::Trend trend) {
+            if (trend != EdgeTree::Trend::Mixed) {
+                if (trend == waitingTrend && run.before + 1 == waiting.end && run.first == waiting.end) {
+                    waiting.end = run.end;
+                } else {
+                    searchWaiting();
+                    waiting = run;
+                    waitingTrend = trend;
+                }
+                return;
+            }
+            Point a = walk.turned(vertices_[run.before]);
+            for (std::uint32_t i = run.first; i < run.end; ++i) {
+                const Point b = walk.turned(vertices_[i]);
+                offer(ladder.below(a.y), ladder.below(b.y), a, b);
+                a = b;
+            }
+        };
+        tree_.visitRuns(walk.cosine, walk.sine, isCrossed, look);
+        searchWaiting();
         return;
     }
     walk.tracksBelow.resize(walk.rotated.size());

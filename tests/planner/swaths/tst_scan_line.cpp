@@ -42,6 +42,7 @@ public:
     }
     static Geometry polygon(const Polygon& polygon) {
         std::vector<GEOSGeometry*> holes;
+        holes.reserve(polygon.holes.size());
         for (const Ring& hole : polygon.holes) {
             holes.push_back(GEOSGeom_createLinearRing_r(context(), sequence(hole, true)));
         }
@@ -54,6 +55,7 @@ public:
     }
     static Geometry unionOf(std::vector<Geometry> parts) {
         std::vector<GEOSGeometry*> raw;
+        raw.reserve(parts.size());
         for (Geometry& part : parts) {
             raw.push_back(part.release());
         }
@@ -424,21 +426,29 @@ private slots:
     void manyVertices_data() {
         QTest::addColumn<int>("vertices");
         QTest::addColumn<int>("holes");
-        QTest::newRow("few, without a tree") << 100 << 1;
-        QTest::newRow("a tree") << 1000 << 0;
-        QTest::newRow("with holes") << 1000 << 7;
-        QTest::newRow("ten thousand") << 10'000 << 3;
+        QTest::addColumn<double>("jagM");
+        QTest::newRow("few, without a tree") << 100 << 1 << 0.0;
+        QTest::newRow("a tree") << 1000 << 0 << 0.0;
+        QTest::newRow("with holes") << 1000 << 7 << 0.0;
+        QTest::newRow("every edge turns back") << 1000 << 2 << 2.0;
+        QTest::newRow("steps of a raster") << 1000 << 2 << 0.05;
+        QTest::newRow("ten thousand") << 10'000 << 3 << 0.0;
     }
     void manyVertices() {
         QFETCH(int, vertices);
         QFETCH(int, holes);
-        const auto wavy = [](Point centre, double radiusM, int count, double turn) {
+        QFETCH(double, jagM);
+        const auto wavy = [jagM](Point centre, double radiusM, int count, double turn) {
             Ring ring;
             for (int i = 0; i < count; ++i) {
                 const double angle = turn * 2.0 * std::numbers::pi * i / count;
                 const double m =
-                    radiusM * (1.0 + 0.1 * std::sin(9.0 * angle) + 0.01 * std::sin(101.0 * angle));
+                    radiusM * (1.0 + 0.1 * std::sin(9.0 * angle) + 0.01 * std::sin(101.0 * angle)) +
+                    (i % 2 == 0 ? jagM : 0.0);
                 ring.push_back(centre + m * direction(angle));
+                if (i % 10 == 0) {
+                    ring.push_back(ring.back());  // the same point again
+                }
             }
             return ring;
         };
@@ -479,7 +489,7 @@ private slots:
         QTest::addColumn<bool>("spread");
         for (const test::Shape shape : test::kShapes) {
             for (const bool spread : {false, true}) {
-                QTest::addRow("%s, last pass %s", test::shapeName(shape).data(),
+                QTest::addRow("%s, last pass %s", std::string{test::shapeName(shape)}.c_str(),
                               spread ? "spread" : "overlaps")
                     << static_cast<int>(shape) << spread;
             }
