@@ -133,6 +133,9 @@ struct Best {
     std::vector<HeadingCandidate> headings = {};  ///< of the search
     std::vector<SettingChange> instead = {};
     std::vector<Note> notes = {};
+    /// Kinds of corner that may be the quickest with this headland: all until they are compared, then those
+    /// that came near. Another order or heading hardly changes what a corner costs.
+    std::optional<std::vector<std::string_view>> nearCorners = {};
 };
 
 /// The best plan so far with another in its place. Empty without one.
@@ -142,6 +145,15 @@ std::optional<Best> with(const Best& best, std::optional<PlannedStages> plan) {
         other.plan = std::move(made);
         return other;
     });
+}
+
+/// Without a reverse gear the third kind is the second one.
+std::vector<std::string_view> cornerKinds(const Machine& machine) {
+    std::vector<std::string_view> kinds{kRoundedCorner, kLoopCorner};
+    if (canReverse(machine)) {
+        kinds.push_back(kReverseCorner);
+    }
+    return kinds;
 }
 
 /// Whether two passes of headland take much of the field, or leave the plan blocked, or one takes all of it.
@@ -230,20 +242,39 @@ Result<void> Chooser::tryCorners(Best& best) {
     }
     std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
     taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
-    std::vector<std::string_view> others{kRoundedCorner, kLoopCorner, kReverseCorner};
-    std::erase_if(others, [&](std::string_view kind) { return kind == taken || !best.plan.drivable(); });
     note(best.instead, kHeadlandCorner, taken);
+    if (!best.plan.drivable()) {
+        return {};
+    }
+    const bool isFirst = !best.nearCorners;
+    std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
+    std::vector<char> isNear(kinds.size(), 1);
     QuickestMeanwhile meanwhile;
-    return takeBest(best, others.size(), [&](std::size_t i) -> Result<std::optional<Best>> {
+    auto tried = takeBest(best, kinds.size(), [&](std::size_t i) -> Result<std::optional<Best>> {
+        if (kinds[i] == taken) {
+            return std::optional<Best>{};
+        }
         PlanRequest request = best.plan.request;
-        request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
-        return nearPlan(best, request, 1.0, &meanwhile).transform([&](std::optional<PlannedStages>&& plan) {
-            return with(best, std::move(plan)).transform([&](Best&& other) {
-                note(other.instead, kHeadlandCorner, others[i]);
+        request.settings.set(kHeadlandCorner, std::string{kinds[i]}).value();
+        auto plan = isFirst ? nearPlan(best, request, kNearInOrder) : nearPlan(best, request, 1.0, &meanwhile);
+        return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
+            isNear[i] = made ? 1 : 0;
+            return with(best, std::move(made)).transform([&](Best&& other) {
+                note(other.instead, kHeadlandCorner, kinds[i]);
                 return std::move(other);
             });
         });
     });
+    if (isFirst) {
+        std::vector<std::string_view> near;
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            if (isNear[i] != 0) {
+                near.push_back(kinds[i]);
+            }
+        }
+        best.nearCorners = std::move(near);
+    }
+    return tried;
 }
 
 /// Orders that the route by estimated turns passed over, and that are about as quick by its estimate.
@@ -349,6 +380,7 @@ Result<void> Chooser::tryFewerPasses(Best& best) {
     while (mayHaveFewerPasses(best.plan)) {
         const int passes = best.plan.laidOut.headland->passes - 1;
         Best other = best;
+        other.nearCorners.reset();
         other.asked.settings.set(kHeadlandPasses, static_cast<double>(passes)).value();
         PlanRequest request = other.asked;
         request.settings.set(kHeadlandCorner, best.plan.request.settings.choice(kHeadlandCorner)).value();
