@@ -378,7 +378,7 @@ std::optional<BentPass> FullLockPasses::worked(Curve line, const JobContext& job
             return true;
         });
     }
-    auto worked = unionOf(swept, job, kSnapGrid);
+    auto worked = unionOf(swept, job);
     return worked ? std::optional{BentPass{.line = std::move(line), .worked = std::move(*worked)}}
                   : std::nullopt;
 }
