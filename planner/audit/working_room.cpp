@@ -284,10 +284,11 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
         if (!squares) {
             parts.push_back(polygon);
         } else if (!squares->empty()) {
-            // The sides of squares are equal to the last bit, so no grid is needed. On one, this was most of the
-            // time of an audit.
-            auto joined = unionOf(*squares, job).and_then(
-                [&](const MultiPolygon& one) { return intersection({polygon}, one, job); });
+            // The sides of squares are equal to the last bit, so no grid is needed. On one, this was most of
+            // the time of an audit.
+            auto joined = unionOf(*squares, job).and_then([&](const MultiPolygon& one) {
+                return intersection({polygon}, one, job);
+            });
             if (!joined) {
                 return joined;
             }

@@ -256,7 +256,8 @@ Result<void> Chooser::tryCorners(Best& best) {
         }
         PlanRequest request = best.plan.request;
         request.settings.set(kHeadlandCorner, std::string{kinds[i]}).value();
-        auto plan = isFirst ? nearPlan(best, request, kNearInOrder) : nearPlan(best, request, 1.0, &meanwhile);
+        auto plan =
+            isFirst ? nearPlan(best, request, kNearInOrder) : nearPlan(best, request, 1.0, &meanwhile);
         return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
             isNear[i] = made ? 1 : 0;
             return with(best, std::move(made)).transform([&](Best&& other) {
