@@ -67,7 +67,7 @@ namespace {
 
 /// Headlands of edges stay with their edges when points are added or removed. Both halves of a divided edge
 /// keep its headland.
-void renumber(std::vector<EdgeHeadland>& headlands, std::size_t part, std::size_t ring, const GeoRing& before,
+void renumber(std::vector<EdgeWidth>& headlands, std::size_t part, std::size_t ring, const GeoRing& before,
               const GeoRing& after) {
     if (before.size() == after.size()) {
         return;
@@ -75,8 +75,8 @@ void renumber(std::vector<EdgeHeadland>& headlands, std::size_t part, std::size_
     const auto same = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
     const bool grows = after.size() > before.size();
     const std::size_t by = grows ? after.size() - before.size() : before.size() - after.size();
-    std::vector<EdgeHeadland> kept;
-    for (EdgeHeadland headland : headlands) {
+    std::vector<EdgeWidth> kept;
+    for (EdgeWidth headland : headlands) {
         const bool isOther = headland.part != part || headland.ring != ring || headland.edge + 1 < same;
         const std::size_t edge = headland.edge;
         if (isOther) {
@@ -102,11 +102,11 @@ std::size_t ringOf(const OutlineId& id) {
 
 }  // namespace
 
-const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge) {
+const EdgeWidth* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge) {
     if (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole) {
         return nullptr;
     }
-    const auto found = std::ranges::find_if(source.edgeHeadlands, [&](const EdgeHeadland& headland) {
+    const auto found = std::ranges::find_if(source.edgeHeadlands, [&](const EdgeWidth& headland) {
         return headland.part == id.item && headland.ring == ringOf(id) && headland.edge == edge;
     });
     return found == source.edgeHeadlands.end() ? nullptr : &*found;
@@ -114,7 +114,7 @@ const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId&
 
 FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge,
                              std::optional<Length> width) {
-    if (const EdgeHeadland* own = findEdgeHeadland(source, id, edge)) {
+    if (const EdgeWidth* own = findEdgeHeadland(source, id, edge)) {
         source.edgeHeadlands.erase(source.edgeHeadlands.begin() + (own - source.edgeHeadlands.data()));
     }
     if (width && (id.kind == OutlineKind::Boundary || id.kind == OutlineKind::Hole)) {

@@ -60,7 +60,7 @@ struct FieldShape {
 };
 
 /// The own headland of an edge of the boundary or of a hole. Null for other outlines.
-const EdgeHeadland* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge);
+const EdgeWidth* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge);
 /// The source with a headland of this width at the edge. Without a width, the edge is as wide as elsewhere.
 FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge,
                              std::optional<Length> width);

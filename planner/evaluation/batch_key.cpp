@@ -38,7 +38,7 @@ std::string textOf(const FieldSource& field) {
         text += std::format("\ngate {} {} {} {}", gate.name, gate.position.lonDeg, gate.position.latDeg,
                             gate.width.si());
     }
-    for (const EdgeHeadland& edge : field.edgeHeadlands) {
+    for (const EdgeWidth& edge : field.edgeHeadlands) {
         text += std::format("\nedge {} {} {} {}", edge.part, edge.ring, edge.edge, edge.width.si());
     }
     return text;

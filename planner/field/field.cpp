@@ -59,7 +59,7 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polyg
 }
 
 /// The ring of a headland. Null if there is no such ring.
-const GeoRing* ringOf(const FieldSource& source, const EdgeHeadland& headland) {
+const GeoRing* ringOf(const FieldSource& source, const EdgeWidth& headland) {
     if (headland.part >= source.parts.size() || headland.ring > source.parts[headland.part].holes.size()) {
         return nullptr;
     }
@@ -100,7 +100,7 @@ Result<void> checkSource(const FieldSource& source) {
                                            "give a width of 0 m or more"));
         }
     }
-    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+    for (const EdgeWidth& headland : source.edgeHeadlands) {
         const Message name = message("the headland of edge {}", headland.edge + 1);
         if (!(headland.width >= metres(0.0)) || !std::isfinite(headland.width.si())) {
             return std::unexpected(
@@ -187,7 +187,7 @@ Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
 /// Edges with a given width of headland, in metres.
 std::vector<WideEdge> wideEdgesOf(const FieldSource& source, const LocalFrame& frame) {
     std::vector<WideEdge> edges;
-    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+    for (const EdgeWidth& headland : source.edgeHeadlands) {
         const GeoRing& ring = *ringOf(source, headland);
         edges.push_back({frame.toLocal(ring[headland.edge]),
                          frame.toLocal(ring[(headland.edge + 1) % ring.size()]), headland.width});

@@ -16,6 +16,8 @@ struct Obstacle {
     GeoPolygon outline;
     bool passable = false;  ///< may be driven, not worked (a wet spot)
     Length buffer;          ///< kept free around it
+    /// How far the raised implement may stand over it, from its edge. The tractor and all wheels keep off.
+    Length overhang;
 
     friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
@@ -29,14 +31,14 @@ struct Gate {
     friend bool operator==(const Gate&, const Gate&) = default;
 };
 
-/// The own headland of one edge of the boundary.
-struct EdgeHeadland {
+/// A width given for one edge of the boundary.
+struct EdgeWidth {
     std::size_t part = 0;
     std::size_t ring = 0;  ///< 0 for the outer one, 1 for the first hole
     std::size_t edge = 0;  ///< from this point of the ring to the next
-    Length width;          ///< from the edge to the mainland
+    Length width;          ///< across the edge
 
-    friend bool operator==(const EdgeHeadland&, const EdgeHeadland&) = default;
+    friend bool operator==(const EdgeWidth&, const EdgeWidth&) = default;
 };
 
 /// A field as given by a file or a user, not yet checked.
@@ -47,7 +49,9 @@ struct FieldSource {
     std::vector<GeoPolygon> parts;
     std::vector<Obstacle> obstacles;
     std::vector<Gate> gates;
-    std::vector<EdgeHeadland> edgeHeadlands;
+    std::vector<EdgeWidth> edgeHeadlands;  ///< from the edge to the mainland
+    /// How far the raised implement may stand over an edge, outwards. The tractor and all wheels stay inside.
+    std::vector<EdgeWidth> edgeOverhangs;
     Length boundaryAccuracy;
     std::vector<Note> repairs;  ///< repairs made while it was read
 

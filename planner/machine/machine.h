@@ -45,6 +45,8 @@ struct Implement {
     /// Width while folded for the road, through gates and on ways in and out. If not given, the raised width.
     /// No larger than the machine's width at work.
     std::optional<Length> transportWidth;
+    /// To fold for the road, and to unfold again, standing.
+    Duration timeToFold = seconds(0.0);
     Mounting mounting = Mounting::Mounted;
     /// From the fixed axle to the hitch, negative behind the axle.
     Length hitchOffset = metres(-1.0);

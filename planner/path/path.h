@@ -39,6 +39,7 @@ struct PathSegment {
     int number = 0;        ///< of the swath, or of the headland pass from the outside; 0 for others
     Gear gear = Gear::Forward;
     bool implementDown = false;
+    bool folded = false;  ///< driven with the implement folded for the road
     bool drivable = true;
     Message reason;  ///< why it is not drivable
     std::vector<PathSample> samples;

@@ -130,10 +130,10 @@ Project withoutHole(Project project, std::size_t part, std::size_t hole) {
     return withSourceChanged(std::move(project), [part, hole](ProjectField&, FieldSource& source) {
         if (part < source.parts.size()) {
             erase(source.parts[part].holes, hole);
-            std::erase_if(source.edgeHeadlands, [&](const EdgeHeadland& headland) {
+            std::erase_if(source.edgeHeadlands, [&](const EdgeWidth& headland) {
                 return headland.part == part && headland.ring == hole + 1;
             });
-            for (EdgeHeadland& headland : source.edgeHeadlands) {
+            for (EdgeWidth& headland : source.edgeHeadlands) {
                 headland.ring -= headland.part == part && headland.ring > hole + 1 ? 1 : 0;
             }
         }

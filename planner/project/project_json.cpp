@@ -253,7 +253,7 @@ OrderedJson featuresOf(const ProjectField& field) {
     OrderedJson properties{{"kind", "field"},         {"field", field.id},
                            {"id", source.id},         {"name", source.name},
                            {"origin", source.origin}, {"boundary_accuracy_m", source.boundaryAccuracy.si()}};
-    for (const EdgeHeadland& headland : source.edgeHeadlands) {
+    for (const EdgeWidth& headland : source.edgeHeadlands) {
         properties["edge_headlands"].push_back({{"part", headland.part},
                                                 {"ring", headland.ring},
                                                 {"edge", headland.edge},

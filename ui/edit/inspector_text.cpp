@@ -101,7 +101,7 @@ std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, co
     if (source == nullptr || (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole)) {
         return std::nullopt;
     }
-    if (const EdgeHeadland* own = findEdgeHeadland(*source, id, edge)) {
+    if (const EdgeWidth* own = findEdgeHeadland(*source, id, edge)) {
         return own->width;
     }
     if (plan == nullptr) {

@@ -284,7 +284,7 @@ private slots:
         }
         const FieldSource changed = withOutline(source, kOuter, after);
         QList<int> found;
-        for (const EdgeHeadland& headland : changed.edgeHeadlands) {
+        for (const EdgeWidth& headland : changed.edgeHeadlands) {
             if (headland.ring == 0) {
                 found << static_cast<int>(headland.edge);
                 QCOMPARE(headland.width.si(), 18.0);
@@ -293,7 +293,7 @@ private slots:
         QCOMPARE(found, edges);
         // That of the hole is where it was.
         QVERIFY(std::ranges::contains(changed.edgeHeadlands,
-                                      EdgeHeadland{.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}));
+                                      EdgeWidth{.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}));
     }
 };
 

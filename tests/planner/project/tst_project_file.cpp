@@ -73,10 +73,14 @@ private slots:
     void imageryIsNamedFromTheProjectsFolder_data() {
         QTest::addColumn<QString>("place");
         QTest::addColumn<QString>("written");
-        QTest::newRow("beside it") << "first/photo.tif" << "photo.tif";
-        QTest::newRow("below it") << "first/pictures/2026/photo.tif" << "pictures/2026/photo.tif";
-        QTest::newRow("in a neighbour") << "drone/photo.tif" << "../drone/photo.tif";
-        QTest::newRow("on another disk") << "/mnt/disk/photo.tif" << "/mnt/disk/photo.tif";
+        QTest::newRow("beside it") << "first/photo.tif"
+                                   << "photo.tif";
+        QTest::newRow("below it") << "first/pictures/2026/photo.tif"
+                                  << "pictures/2026/photo.tif";
+        QTest::newRow("in a neighbour") << "drone/photo.tif"
+                                        << "../drone/photo.tif";
+        QTest::newRow("on another disk") << "/mnt/disk/photo.tif"
+                                         << "/mnt/disk/photo.tif";
     }
     void imageryIsNamedFromTheProjectsFolder() {
         QFETCH(QString, place);
@@ -251,9 +255,9 @@ private slots:
                                             .width = metres(10.0 + static_cast<double>(ring))});
         }
         const Project project = withoutHole(withFields(Project::empty(), {source}), 0, 1);
-        const std::vector<EdgeHeadland> expected{{.part = 0, .ring = 0, .edge = 0, .width = metres(10.0)},
-                                                 {.part = 0, .ring = 1, .edge = 1, .width = metres(11.0)},
-                                                 {.part = 0, .ring = 2, .edge = 0, .width = metres(13.0)}};
+        const std::vector<EdgeWidth> expected{{.part = 0, .ring = 0, .edge = 0, .width = metres(10.0)},
+                                              {.part = 0, .ring = 1, .edge = 1, .width = metres(11.0)},
+                                              {.part = 0, .ring = 2, .edge = 0, .width = metres(13.0)}};
         QVERIFY(project.field()->source->edgeHeadlands == expected);
     }
     /// Files that were saved by earlier versions, one folder for each format.

@@ -353,7 +353,7 @@ private slots:
         bench.inspector.setNumber(row, 24.0);
         QCOMPARE(bench.source().edgeHeadlands.size(), std::size_t{1});
         QVERIFY(bench.source().edgeHeadlands.front() ==
-                (EdgeHeadland{.part = 0, .ring = 0, .edge = 0, .width = metres(24.0)}));
+                (EdgeWidth{.part = 0, .ring = 0, .edge = 0, .width = metres(24.0)}));
         bench.session.document()->undo();
         QCOMPARE(bench.source().edgeHeadlands.front().width.si(), 18.0);
         bench.editor.clearEdgeHeadland();
