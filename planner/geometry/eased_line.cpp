@@ -14,10 +14,6 @@ namespace furrow {
 
 namespace {
 
-/// Places nearer to each other are one.
-constexpr double kSamePlaceM = 1e-7;
-/// A smaller window leaves the curvature as it is.
-constexpr double kNoWindowM = 1e-9;
 constexpr double kNoCurvature = 1e-12;
 /// A straight that keeps its place has at least this length after easing, half of it on either side.
 constexpr double kKeptStraightM = 0.5;
@@ -52,89 +48,17 @@ constexpr double kSameM = 1e-4;
 constexpr double kLeastLeft = 0.2;
 constexpr double kMostGrown = 4.0;
 
-/// The given line with its places, poses, and the integral of its curvature.
-class GivenLine {
-public:
-    explicit GivenLine(std::span<const Curve> lines) {
-        Pose pose;
-        double m = 0.0;
-        double turned = 0.0;
-        for (const Curve& line : lines) {
-            pose = line.start;
-            joints_.push_back(m);
-            for (const CurvePiece& piece : line.pieces) {
-                pieces_.push_back(piece);
-                placesM_.push_back(m);
-                poses_.push_back(pose);
-                turned_.push_back(turned);
-                m += piece.length.si();
-                turned += 0.5 * piece.length.si() * (piece.curvature + piece.endCurvature).si();
-                pose = advanced(pose, piece, piece.length);
-            }
-        }
-        placesM_.push_back(m);
-        poses_.push_back(pose);
-        turned_.push_back(turned);
-    }
-
-    double lengthM() const { return placesM_.back(); }
-    const std::vector<CurvePiece>& pieces() const { return pieces_; }
-    const std::vector<double>& joints() const { return joints_; }
-    double endM(std::size_t piece) const { return placesM_[piece + 1]; }
-
-    Pose poseAt(double m) const {
-        const std::size_t i = pieceAt(m);
-        return advanced(poses_[i], pieces_[i],
-                        metres(std::clamp(m - placesM_[i], 0.0, pieces_[i].length.si())));
-    }
-    Gear gearAt(double m) const { return pieces_[pieceAt(m)].gear; }
-
-    /// The curvature before or after a place, or its mean over a window.
-    double meanCurvature(double m, double windowM, bool before) const {
-        if (windowM > kNoWindowM) {
-            return (turnedTo(m + 0.5 * windowM) - turnedTo(m - 0.5 * windowM)) / windowM;
-        }
-        const std::size_t i = pieceAt(before ? m - kSamePlaceM : m + kSamePlaceM);
-        return pieces_[i].curvatureAt(metres(std::clamp(m - placesM_[i], 0.0, pieces_[i].length.si()))).si();
-    }
-
-    /// The mean over a window of the integral of the curvature since `m`.
-    double meanTurn(double m, double windowM) const {
-        const double here = turnedTo(m);
-        double sum = 0.0;
-        for (int i = 0; i < kTurnLooks; ++i) {
-            sum += turnedTo(m + windowM * ((i + 0.5) / kTurnLooks - 0.5)) - here;
-        }
-        return sum / kTurnLooks;
-    }
-
-private:
-    static constexpr int kTurnLooks = 16;
-
-    std::size_t pieceAt(double m) const {
-        const auto after = std::upper_bound(placesM_.begin() + 1, placesM_.end() - 1, m);
-        return static_cast<std::size_t>(after - placesM_.begin()) - 1;
-    }
-    double turnedTo(double m) const {
-        const std::size_t i = pieceAt(m);
-        const double inM = std::clamp(m - placesM_[i], 0.0, pieces_[i].length.si());
-        return turned_[i] + 0.5 * inM * (pieces_[i].curvature + pieces_[i].curvatureAt(metres(inM))).si();
-    }
-
-    std::vector<CurvePiece> pieces_;
-    std::vector<double> joints_;  ///< where each line begins
-    std::vector<double> placesM_;
-    std::vector<Pose> poses_;
-    std::vector<double> turned_;
-};
-
 /// Divides a line into pieces and bends.
 class Easing {
 public:
-    Easing(std::span<const Curve> lines, const AveragingWindows& windows, double sharpest)
-        : line_{lines}, windows_{windows}, sharpest_{sharpest} {
+    using Bends = std::vector<LineEasing::Bend>;
+
+    Easing(const GivenLine& line, const AveragingWindows& windows, double sharpest, const Bends& known)
+        : line_{line}, windows_{windows}, sharpest_{sharpest}, known_{known} {
         collectPlaces();
     }
+
+    Bends takeBends() { return std::move(bends_); }
 
     EasedLine run() {
         EasedLine result;
@@ -316,7 +240,7 @@ private:
     }
 
     /// Changes the lengths so that the bend ends where it did.
-    void bend(std::span<EasedPiece> pieces, const LineRange& range, EasedLine& result) const {
+    void bend(std::span<EasedPiece> pieces, const LineRange& range, EasedLine& result) {
         if (pieces.empty()) {
             return;
         }
@@ -336,6 +260,31 @@ private:
             return;
         }
         result.bends.push_back(range);
+        if (const LineEasing::Bend* const same = knownOf(pieces, goal)) {
+            std::ranges::copy(same->after, pieces.begin());
+            bends_.push_back(*same);
+        } else {
+            LineEasing::Bend made{{pieces.begin(), pieces.end()}, goal, {}, !reach(pieces, goal)};
+            made.after.assign(pieces.begin(), pieces.end());
+            bends_.push_back(std::move(made));
+        }
+        if (bends_.back().failed) {
+            result.failed.push_back(range);
+        }
+    }
+
+    /// The bend of the time before with the same pieces between the same poses. Null if there is none.
+    const LineEasing::Bend* knownOf(std::span<const EasedPiece> pieces, const Pose& goal) const {
+        const auto known =
+            std::ranges::lower_bound(known_, pieces.front().fromM, {},
+                                     [](const LineEasing::Bend& bend) { return bend.before.front().fromM; });
+        return known != known_.end() && known->goal == goal && std::ranges::equal(known->before, pieces)
+                   ? &*known
+                   : nullptr;
+    }
+
+    /// Changes the pieces so that they end in the goal. False, with the given line, where none of them does.
+    bool reach(std::span<EasedPiece> pieces, const Pose& goal) const {
         const auto missingAt = [&](const Pose& end) {
             return std::pair{goal.position - end.position, wrappedAngle(goal.heading - end.heading).si()};
         };
@@ -358,11 +307,12 @@ private:
             return isStraight(piece) || (piece.piece.length.si() >= kLeastLeft * wasM &&
                                          piece.piece.length.si() <= kMostGrown * wasM);
         });
-        if (!reached || !keptLengths) {
-            result.failed.push_back(range);
+        const bool isMade = reached && keptLengths;
+        if (!isMade) {
             restore(pieces);
         }
         markSame(pieces);
+        return isMade;
     }
 
     static Pose drive(std::span<EasedPiece> pieces) {
@@ -523,63 +473,32 @@ private:
         }
     }
 
-    GivenLine line_;
+    const GivenLine& line_;
     const AveragingWindows& windows_;
-    double sharpest_;              ///< 1/m
+    double sharpest_;  ///< 1/m
+    const Bends& known_;
+    Bends bends_;
     std::vector<double> placesM_;  ///< ends of pieces
     std::vector<double> keptM_;    ///< where the pose stays
 };
 
 }  // namespace
 
-AveragingWindows::AveragingWindows(std::span<const double> fromM, std::span<const double> mostM, double endM)
-    : placesM_{fromM.begin(), fromM.end()}, mostM_{mostM.begin(), mostM.end()} {
-    placesM_.push_back(endM);
-    mostM_.push_back(0.0);
-    limitsM_.push_back(0.0);
-    for (std::size_t i = 0; i + 1 < mostM_.size(); ++i) {
-        limitsM_.push_back(std::min(mostM_[i], mostM_[i + 1]));
-    }
-    for (std::size_t i = 1; i < placesM_.size(); ++i) {
-        limitsM_[i] = std::min(limitsM_[i], limitsM_[i - 1] + placesM_[i] - placesM_[i - 1]);
-    }
-    for (std::size_t i = placesM_.size() - 1; i > 0; --i) {
-        limitsM_[i - 1] = std::min(limitsM_[i - 1], limitsM_[i] + placesM_[i] - placesM_[i - 1]);
-    }
-}
+LineEasing::LineEasing(std::span<const Curve> lines, Curvature sharpest)
+    : line_{lines}, sharpest_{sharpest} {}
 
-double AveragingWindows::at(double m) const {
-    const auto after = std::upper_bound(placesM_.begin() + 1, placesM_.end() - 1, m);
-    const auto i = static_cast<std::size_t>(after - placesM_.begin()) - 1;
-    return std::max(
-        0.0, std::min({mostM_[i], limitsM_[i] + (m - placesM_[i]), limitsM_[i + 1] + (placesM_[i + 1] - m)}));
-}
-
-std::vector<double> AveragingWindows::kinks() const {
-    std::vector<double> all = placesM_;
-    for (std::size_t i = 0; i + 1 < placesM_.size(); ++i) {
-        const double wayM = placesM_[i + 1] - placesM_[i];
-        // Rising ends at the bound, or where falling begins.
-        const double peakM = std::min(mostM_[i], 0.5 * (limitsM_[i] + limitsM_[i + 1] + wayM));
-        all.push_back(placesM_[i] + std::clamp(peakM - limitsM_[i], 0.0, wayM));
-        all.push_back(placesM_[i + 1] - std::clamp(peakM - limitsM_[i + 1], 0.0, wayM));
+EasedLine LineEasing::with(const AveragingWindows& windows) {
+    if (line_.isEmpty()) {
+        return {};
     }
-    return all;
-}
-
-std::vector<LineRange> AveragingWindows::kept() const {
-    std::vector<LineRange> ranges;
-    for (std::size_t i = 0; i + 1 < placesM_.size(); ++i) {
-        if (mostM_[i] <= kKeptM && placesM_[i + 1] > placesM_[i]) {
-            ranges.push_back({placesM_[i], placesM_[i + 1]});
-        }
-    }
-    return ranges;
+    Easing easing{line_, windows, sharpest_.si(), known_};
+    EasedLine made = easing.run();
+    known_ = easing.takeBends();
+    return made;
 }
 
 EasedLine eased(std::span<const Curve> lines, const AveragingWindows& windows, Curvature sharpest) {
-    const bool isEmpty = std::ranges::all_of(lines, [](const Curve& line) { return line.pieces.empty(); });
-    return isEmpty ? EasedLine{} : Easing{lines, windows, sharpest.si()}.run();
+    return LineEasing{lines, sharpest}.with(windows);
 }
 
 }  // namespace furrow

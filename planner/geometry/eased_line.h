@@ -1,42 +1,13 @@
 #pragma once
 
+#include "planner/geometry/averaging_windows.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/given_line.h"
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace furrow {
-
-/// A stretch of the given line, in metres from its start.
-struct LineRange {
-    double fromM = 0.0;
-    double toM = 0.0;
-};
-
-/// The largest way over which curvature is averaged, along lines. Between two places it is bounded by a value
-/// for that stretch. It never changes by more than the way itself, and is 0 at both ends.
-class AveragingWindows {
-public:
-    /// @param fromM  where each stretch begins, in metres from the start, ascending, the first 0
-    /// @param mostM  of each stretch
-    /// @param endM   of the last one
-    AveragingWindows(std::span<const double> fromM, std::span<const double> mostM, double endM);
-
-    /// O(log stretches).
-    double at(double m) const;
-    /// Up to this value, in metres, a line of 1 m radius and more moves by less than 2 mm.
-    static constexpr double kKeptM = 0.2;
-    /// Stretches whose value is so small. At their ends the line is tied to the given line.
-    std::vector<LineRange> kept() const;
-    /// Places where it begins to change otherwise.
-    std::vector<double> kinks() const;
-
-private:
-    std::vector<double> placesM_;
-    std::vector<double> limitsM_;  ///< at the places
-    std::vector<double> mostM_;    ///< between a place and the next
-};
 
 /// A piece of the eased line, and the stretch of the given line in the place of which it is driven.
 struct EasedPiece {
@@ -46,6 +17,8 @@ struct EasedPiece {
     double fromM = 0.0;
     double toM = 0.0;
     bool isSame = false;  ///< on the given line
+
+    friend bool operator==(const EasedPiece&, const EasedPiece&) = default;
 };
 
 struct EasedLine {
@@ -70,5 +43,27 @@ struct EasedLine {
 /// @param sharpest  bound of all curvatures
 /// Cost: some ten microseconds for each bend.
 EasedLine eased(std::span<const Curve> lines, const AveragingWindows& windows, Curvature sharpest);
+
+/// The same line eased several times. Bends for which the windows did not change since the time before are
+/// taken from there, to the last bit. May be moved, not used by several threads at once.
+class LineEasing {
+public:
+    LineEasing(std::span<const Curve> lines, Curvature sharpest);
+
+    EasedLine with(const AveragingWindows& windows);
+
+    /// A bend before and after it was eased.
+    struct Bend {
+        std::vector<EasedPiece> before;
+        Pose goal;
+        std::vector<EasedPiece> after;
+        bool failed = false;
+    };
+
+private:
+    GivenLine line_;
+    Curvature sharpest_;
+    std::vector<Bend> known_;  ///< in the order of the line
+};
 
 }  // namespace furrow

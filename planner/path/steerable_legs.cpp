@@ -82,6 +82,7 @@ public:
           job_{job},
           joined_{joinedLines(legs)},
           window_{steeringWindow(machine())},
+          easing_{joined_.lines, sharpestSteered(machine())},
           windows_{metres(joined_.beginM.back())} {}
 
     /// Ends early, with legs as they are, if the job is stopped.
@@ -132,7 +133,7 @@ private:
 
     void easeNow() {
         averaging_ = windows_.windows();
-        line_ = eased(joined_.lines, *averaging_, sharpestSteered(machine()));
+        line_ = easing_.with(*averaging_);
     }
 
     /// In turns, changing from one side to the other gets twice the way.
@@ -272,6 +273,7 @@ private:
     const JobContext& job_;
     Joined joined_;
     Length window_;
+    LineEasing easing_;
     SteeringWindows windows_;
     std::optional<AveragingWindows> averaging_;
     EasedLine line_;

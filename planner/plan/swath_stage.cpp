@@ -148,8 +148,8 @@ struct GroundForEnds {
     bool drawsIn = false;
 };
 
-/// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field,
-/// everywhere but over obstacles.
+/// Inside the outermost pass where there are more. Without any, ends are drawn in, and a machine that may
+/// leave the field is everywhere but over obstacles.
 Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (task.passes == 0 && !task.request.settings.flag(kStayInside)) {
@@ -160,7 +160,7 @@ Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) 
     const Length outermost =
         task.ground.margin + (task.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
     return eroded(task.workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
-        return GroundForEnds{std::move(working), task.ground.drivable, false};
+        return GroundForEnds{std::move(working), task.ground.drivable, task.passes == 0};
     });
 }
 

@@ -156,13 +156,14 @@ Curve steeredRing(const Curve& ring, const Machine& machine, const std::function
         m += piece.length.si();
         pose = end;
     }
-    EasedLine averaged = eased({&turned, 1}, windows.windows(), sharpestSteered(machine));
+    LineEasing easing{{&turned, 1}, sharpestSteered(machine)};
+    EasedLine averaged = easing.with(windows.windows());
     // In the end such bends stay as they are.
     while (!averaged.failed.empty()) {
         for (const LineRange& range : averaged.failed) {
             windows.shrink(range, window);
         }
-        averaged = eased({&turned, 1}, windows.windows(), sharpestSteered(machine));
+        averaged = easing.with(windows.windows());
     }
     if (averaged.pieces.empty()) {
         return ring;
