@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -134,36 +135,41 @@ bool isClose(const Pose& a, const Pose& b, double closeM) {
            dot(direction(a.heading.si()), direction(b.heading.si())) > kSameWay;
 }
 
-/// The best candidate with a way in and a way out. Few are asked for. Poses close to a failed one are
-/// skipped.
-std::optional<Candidate> bestWithAccess(std::vector<Candidate> candidates, const PassAccessFinder& access,
-                                        double closeM) {
-    std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::gainM2);
-    std::vector<Pose> notReached;
-    std::vector<Pose> notLeft;
-    std::size_t asked = 0;
-    const auto isAmong = [&](const std::vector<Pose>& poses, const Pose& pose) {
-        return std::ranges::any_of(poses, [&](const Pose& other) { return isClose(pose, other, closeM); });
-    };
-    for (Candidate& candidate : candidates) {
-        if (isAmong(notReached, candidate.line.start) || isAmong(notLeft, candidate.line.end())) {
-            continue;
+/// Asks whether ways lead to candidates. Poses close to a failed one are skipped, and few are asked for.
+class AskedAccess {
+public:
+    AskedAccess(const PassAccessFinder& access, double closeM) : access_{access}, closeM_{closeM} {}
+
+    bool isOver() const { return asked_ == kMostAsked; }
+
+    bool leadsTo(const Curve& line) {
+        if (isAmong(notReached_, line.start) || isAmong(notLeft_, line.end())) {
+            return false;
         }
-        const PassAccess found = access(candidate.line);
+        const PassAccess found = access_(line);
         if (found == PassAccess::There) {
-            return std::move(candidate);
+            return true;
         }
-        if (++asked == kMostAsked) {
-            break;
-        }
+        ++asked_;
         if (found == PassAccess::NoWayIn) {
-            notReached.push_back(candidate.line.start);
+            notReached_.push_back(line.start);
         } else {
-            notLeft.push_back(candidate.line.end());
+            notLeft_.push_back(line.end());
         }
+        return false;
     }
-    return std::nullopt;
-}
+
+private:
+    bool isAmong(const std::vector<Pose>& poses, const Pose& pose) const {
+        return std::ranges::any_of(poses, [&](const Pose& other) { return isClose(pose, other, closeM_); });
+    }
+
+    const PassAccessFinder& access_;
+    double closeM_;
+    std::vector<Pose> notReached_;
+    std::vector<Pose> notLeft_;
+    std::size_t asked_ = 0;
+};
 
 }  // namespace
 
@@ -206,88 +212,150 @@ public:
         return found;
     }
 
-    /// Adds the bends round a middle and round places farther inwards, with a straight of `leadM` before
-    /// them.
-    void addAround(Point middle, double leadM, std::vector<Candidate>& candidates, const JobContext& job) {
-        const double awayM = distance(middle, mean_);
-        const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
-        for (const double inwardsM : kInwardsM) {
-            const Point around = middle + inwardsM * inwards;
-            const auto within = std::ranges::count_if(
-                places_, [&](Point place) { return distance(place, around) < passes_.outerM_ + leadM; });
-            const double mostM2 =
-                gainM2(static_cast<std::size_t>(within), leadM + kLengthsOut * passes_.straightM_);
-            for (int i = 0; i < 2 * kBegins && mostM2 > kWorthAsking * bestM2_ && !job.stopRequested(); ++i) {
-                const Angle begin =
-                    radians(2.0 * std::numbers::pi * (i / 2) / kBegins);  // both sides at each
-                const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
-                if (std::abs(ahead.si()) > kLeastBeforeRad) {
-                    add(passes_.bends_[static_cast<std::size_t>(i % 2)], around, begin, leadM, candidates);
+    /// The bend with the largest gain that has room, and a way in and out, after a straight of `leadM`. A
+    /// bend gains no more than the places that it passes over are worth, so the room of others is not looked
+    /// at.
+    std::optional<Candidate> best(std::span<const Point> middles, double leadM, AskedAccess access,
+                                  const JobContext& job) const {
+        const std::vector<Bend> bends = bendsAround(middles, leadM);
+        const auto less = [](const Candidate& a, const Candidate& b) { return a.gainM2 < b.gainM2; };
+        std::vector<Candidate> fitting;  // a heap
+        double leastM2 = 0.0;
+        auto next = bends.begin();
+        while (!access.isOver() && !job.stopRequested()) {
+            const bool isMore = next != bends.end() && next->mostM2 > leastM2;
+            if (!fitting.empty() && (!isMore || fitting.front().gainM2 >= next->mostM2)) {
+                if (fitting.front().gainM2 < leastM2) {
+                    break;
                 }
+                std::ranges::pop_heap(fitting, less);
+                Candidate candidate = std::move(fitting.back());
+                fitting.pop_back();
+                if (access.leadsTo(candidate.line)) {
+                    return candidate;
+                }
+                continue;
             }
+            if (!isMore) {
+                break;
+            }
+            if (auto candidate = fitted(*next, leadM, leastM2)) {
+                leastM2 = std::max(leastM2, kWorthAsking * candidate->gainM2);
+                fitting.push_back(*std::move(candidate));
+                std::ranges::push_heap(fitting, less);
+            }
+            ++next;
         }
+        return std::nullopt;
     }
 
 private:
+    /// A bend that is not yet looked at.
+    struct Bend {
+        std::size_t side = 0;  ///< of those that are driven once
+        Point around;
+        Angle begin;
+        double mostM2 = 0.0;  ///< that it gains
+    };
+
+    /// Bends round middles and round places farther inwards that pass over the piece, those that may gain
+    /// most first.
+    std::vector<Bend> bendsAround(std::span<const Point> middles, double leadM) const {
+        std::vector<Bend> bends;
+        for (const Point& middle : middles) {
+            const double awayM = distance(middle, mean_);
+            const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
+            for (const double inwardsM : kInwardsM) {
+                const Point around = middle + inwardsM * inwards;
+                for (int i = 0; i < 2 * kBegins; ++i) {
+                    const Angle begin =
+                        radians(2.0 * std::numbers::pi * (i / 2) / kBegins);  // both sides at each
+                    const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
+                    if (std::abs(ahead.si()) <= kLeastBeforeRad) {
+                        continue;
+                    }
+                    Bend bend{static_cast<std::size_t>(i % 2), around, begin};
+                    const std::size_t worked = placesUnder(bend);
+                    bend.mostM2 = gainM2(worked, leadM + kLengthsOut * passes_.straightM_);
+                    if (worked > 0 && bend.mostM2 > 0.0) {
+                        bends.push_back(bend);
+                    }
+                }
+            }
+        }
+        std::ranges::stable_sort(bends, std::ranges::greater{}, &Bend::mostM2);
+        return bends;
+    }
+
     double gainM2(std::size_t worked, double wayM) const {
         return areaEachM2_ * static_cast<double>(worked) - kWorthShare * widthM_ * wayM;
     }
 
-    /// The states at which the implement first passes over places of the piece, rising.
-    std::vector<std::size_t> statesOverPlaces(const FullLockBend& bend, Point middle, Angle begin) const {
-        const Point ahead = direction(begin.si());
-        std::vector<std::size_t> states;
+    template <class Visit>
+    void forEachPlaceUnder(const Bend& bend, const Visit& visit) const {
+        const Point ahead = direction(bend.begin.si());
         for (const Point& place : places_) {
-            const Point away = place - middle;
-            if (const auto state = bend.firstOver({dot(ahead, away), cross(ahead, away)})) {
-                states.push_back(*state);
+            const Point away = place - bend.around;
+            if (const auto state =
+                    passes_.bends_[bend.side].firstOver({dot(ahead, away), cross(ahead, away)})) {
+                visit(*state);
             }
         }
+    }
+
+    std::size_t placesUnder(const Bend& bend) const {
+        std::size_t count = 0;
+        forEachPlaceUnder(bend, [&](std::size_t) { ++count; });
+        return count;
+    }
+
+    /// The states at which the implement first passes over places of the piece, rising.
+    std::vector<std::size_t> statesOverPlaces(const Bend& bend) const {
+        std::vector<std::size_t> states;
+        forEachPlaceUnder(bend, [&](std::size_t state) { states.push_back(state); });
         std::ranges::sort(states);
         return states;
     }
 
-    void add(const FullLockBend& bend, Point middle, Angle begin, double leadM,
-             std::vector<Candidate>& candidates) {
+    /// The part of a bend that has room. Empty without one that gains more than `leastM2`.
+    std::optional<Candidate> fitted(const Bend& trial, double leadM, double leastM2) const {
+        const FullLockBend& bend = passes_.bends_[trial.side];
+        const Point middle = trial.around;
+        const Angle begin = trial.begin;
         const CurvePiece lead{.length = metres(leadM), .curvature = {}};
         const CurvePiece out{.length = metres(kLengthsOut * passes_.straightM_), .curvature = {}};
         const auto isWorthIt = [&](std::size_t worked, Length way) {
-            return gainM2(worked, (lead.length + way + out.length).si()) > kWorthAsking * bestM2_;
+            return gainM2(worked, (lead.length + way + out.length).si()) > leastM2;
         };
-        std::vector<std::size_t> states = statesOverPlaces(bend, middle, begin);
-        if (states.empty() || !isWorthIt(states.size(), {})) {
-            return;
-        }
         const Pose on = bend.stateAt(0, middle, begin).tractor;
         const Pose start{.position = on.position - leadM * direction(on.heading.si()), .heading = on.heading};
-        if (lowered_.roomM(Rig::inLine(on)) < kSpareM || lowered_.roomM(Rig::inLine(start)) < kSpareM) {
-            return;
-        }
-        if (!lowered_.driven(Rig::inLine(start), lead)) {
-            return;
+        if (lowered_.roomM(Rig::inLine(on)) < kSpareM || lowered_.roomM(Rig::inLine(start)) < kSpareM ||
+            !lowered_.driven(Rig::inLine(start), lead)) {
+            return std::nullopt;
         }
         InsideSoFar inside{*this, bend, middle, begin};
+        std::vector<std::size_t> states = statesOverPlaces(trial);
         while (!states.empty() && !inside.upTo(states.back())) {
             states.pop_back();
         }
         if (states.empty()) {
-            return;
+            return std::nullopt;
         }
         // Leave the bend as soon as there is room.
         for (std::size_t end = states.back(); isWorthIt(states.size(), bend.wayTo(end)) && inside.upTo(end);
              end += kExitSteps) {
             if (out.length == Length{} || lowered_.driven(bend.stateAt(end, middle, begin), out)) {
                 const Length way = bend.wayTo(end);
-                const double gain = gainM2(states.size(), (lead.length + way + out.length).si());
-                bestM2_ = std::max(bestM2_, gain);
                 Curve line{.type = {}, .start = start, .pieces = {}};
                 const CurvePiece round{.length = way, .curvature = bend.curvature()};
                 std::ranges::copy_if(std::array{lead, round, out}, std::back_inserter(line.pieces),
                                      [](const CurvePiece& part) { return part.length > Length{}; });
-                candidates.push_back({.line = std::move(line), .gainM2 = gain, .worked = states.size()});
-                return;
+                return Candidate{.line = std::move(line),
+                                 .gainM2 = gainM2(states.size(), (lead.length + way + out.length).si()),
+                                 .worked = states.size()};
             }
         }
+        return std::nullopt;
     }
 
     /// How far a bend stays inside, looked at as far as somebody asks.
@@ -328,7 +396,6 @@ private:
     double areaEachM2_;
     double widthM_;
     double swings_;  ///< largest move of any point for one metre of way
-    double bestM2_ = 0.0;
 };
 
 std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
@@ -337,21 +404,17 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
     if (std::ranges::contains(hopeless_, piece)) {
         return std::nullopt;
     }
-    const auto access = [&](const Curve& line) {
+    const PassAccessFinder access = [&](const Curve& line) {
         return isRefused(line) ? PassAccess::NoWayIn : access_(line);
     };
     const Machine& machine = lowered_->machine();
-    Trial trial{*this, piece};
+    const Trial trial{*this, piece};
     const std::vector<Point> middles = trial.middles();
+    const AskedAccess asked{access, kCloseShare * machine.operatingWidth().si()};
     std::optional<Candidate> best;
     for (const double lengths : kLengthsIn) {
         const double leadM = std::max(lengths * straightM_, machine.runIn().si());
-        std::vector<Candidate> candidates;
-        for (const Point& middle : middles) {
-            trial.addAround(middle, leadM, candidates, job);
-        }
-        auto found =
-            bestWithAccess(std::move(candidates), access, kCloseShare * machine.operatingWidth().si());
+        auto found = trial.best(middles, leadM, asked, job);
         if (found && (!best || found->gainM2 > best->gainM2)) {
             best = std::move(found);
         }
