@@ -138,12 +138,13 @@ bool isClose(const Pose& a, const Pose& b, double closeM) {
 /// Asks whether ways lead to candidates. Poses close to a failed one are skipped, and few are asked for.
 class AskedAccess {
 public:
-    AskedAccess(const PassAccessFinder& access, double closeM) : access_{access}, closeM_{closeM} {}
+    AskedAccess(const PassAccessFinder& access, FailedPoses& failed, double closeM)
+        : access_{access}, failed_{failed}, closeM_{closeM} {}
 
     bool isOver() const { return asked_ == kMostAsked; }
 
     bool leadsTo(const Curve& line) {
-        if (isAmong(notReached_, line.start) || isAmong(notLeft_, line.end())) {
+        if (isAmong(failed_.notReached, line.start) || isAmong(failed_.notLeft, line.end())) {
             return false;
         }
         const PassAccess found = access_(line);
@@ -152,9 +153,9 @@ public:
         }
         ++asked_;
         if (found == PassAccess::NoWayIn) {
-            notReached_.push_back(line.start);
+            failed_.notReached.push_back(line.start);
         } else {
-            notLeft_.push_back(line.end());
+            failed_.notLeft.push_back(line.end());
         }
         return false;
     }
@@ -165,9 +166,8 @@ private:
     }
 
     const PassAccessFinder& access_;
+    FailedPoses& failed_;
     double closeM_;
-    std::vector<Pose> notReached_;
-    std::vector<Pose> notLeft_;
     std::size_t asked_ = 0;
 };
 
@@ -410,7 +410,7 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
     const Machine& machine = lowered_->machine();
     const Trial trial{*this, piece};
     const std::vector<Point> middles = trial.middles();
-    const AskedAccess asked{access, kCloseShare * machine.operatingWidth().si()};
+    const AskedAccess asked{access, failed_, kCloseShare * machine.operatingWidth().si()};
     std::optional<Candidate> best;
     for (const double lengths : kLengthsIn) {
         const double leadM = std::max(lengths * straightM_, machine.runIn().si());

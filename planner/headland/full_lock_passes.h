@@ -21,6 +21,12 @@ struct BentPass {
 enum class PassAccess { There, NoWayIn, NoWayOut };
 using PassAccessFinder = std::function<PassAccess(const Curve& line)>;
 
+/// Poses to which no way leads, and from which none leads away.
+struct FailedPoses {
+    std::vector<Pose> notReached;
+    std::vector<Pose> notLeft;
+};
+
 /// Passes round one place on full lock, for machines that leave tips and ears only forwards. The outer end of
 /// the implement describes the sharpest edge that they can work.
 class FullLockPasses {
@@ -33,8 +39,8 @@ public:
 
     /// The pass that works most of a piece: straight in, on full lock as far round as is useful, straight
     /// out. The implement is in line at both ends. Empty if no pass has room to work any of the piece, or a
-    /// way in and out. That piece is then not tried again. Cost: some thousand bends, of which the room is
-    /// looked at where they may be the best.
+    /// way in and out. That piece is then not tried again, nor are poses near those that no way leads to.
+    /// Cost: some thousand bends, of which the room is looked at where they may be the best.
     /// @param isRefused  whether nearly the same pass has failed before
     std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
                                  const JobContext& job);
@@ -56,6 +62,7 @@ private:
     double straightM_ = 0.0;  ///< distance until the implement is in line
     MultiPolygon middles_;    ///< of the circles that the outer end of the implement may describe
     std::vector<Polygon> hopeless_;
+    FailedPoses failed_;
 };
 
 }  // namespace furrow
