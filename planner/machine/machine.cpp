@@ -52,6 +52,7 @@ Result<void> checkNumbers(const MachineSpec& spec) {
         {"max_acceleration_mps2", tractor.maxAcceleration.si()},
         {"max_lateral_acceleration_mps2", tractor.maxLateralAcceleration.si()},
         {"implement_length_m", implement.length.si(), true},
+        {"time_to_fold_s", implement.timeToFold.si(), true},
         {"lift_time_s", implement.liftTime.si(), true},
         {"lower_time_s", implement.lowerTime.si(), true},
         {"run_in_m", implement.runIn.si(), true},
