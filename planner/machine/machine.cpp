@@ -17,6 +17,8 @@ constexpr double kMostReserve = 0.05;
 /// Time from straight wheels to full lock, if the machine gives no rate.
 constexpr Duration kFullLockTime = seconds(2.0);
 
+constexpr Duration kLongestFolding = seconds(3600.0);
+
 Error refused(std::string_view key, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
@@ -110,6 +112,11 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
                     message("{:.2f} m for transport is wider than the machine at work, {:.2f} m",
                             implement.transportWidth->si(), widest.si()),
                     "give its width while it is folded"));
+    }
+    if (implement.timeToFold > kLongestFolding) {
+        return std::unexpected(refused(
+            "time_to_fold_s", message("{:.0f} s to fold are more than an hour", implement.timeToFold.si()),
+            "give a number from 0 to 3600"));
     }
     for (const double offset :
          {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
