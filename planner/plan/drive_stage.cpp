@@ -104,10 +104,16 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
                             SearchEffort effort) {
         return (gates.leads(leaving, arriving) ? folded : fitting)->between(leaving, arriving, part, effort);
     }};
-    RememberedWays foldedWays{
-        [&](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
-            return folded->between(leaving, arriving, part, effort);
-        }};
+    FoldingWays folding{.folded = RememberedWays{[&](const Pose& leaving, const Pose& arriving,
+                                                     const JobContext& part, SearchEffort effort) {
+                            return folded->between(leaving, arriving, part, effort);
+                        }},
+                        .either = RememberedWays{[&](const Pose& leaving, const Pose& arriving,
+                                                     const JobContext& part, SearchEffort effort) {
+                            auto way = ways(leaving, arriving, part, effort);
+                            return way ? way : folding.folded(leaving, arriving, part, effort);
+                        }}};
+    FoldingWays* const narrower = foldsNarrower(machine) ? &folding : nullptr;
     auto [legs, passedOver] =
         liftedOver(legsOf(task), field.passable(), machine, machine.spec().implement.length);
     if (std::ranges::none_of(legs, &Leg::implementDown)) {
@@ -119,12 +125,10 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     }
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
     gates = addGateWays(legs, *places, field, Rig{*open, machine.folded()});
-    const PathOverLegs path{
-        task,   *ground,       (*room)->steering, ways, foldsNarrower(machine) ? &foldedWays : nullptr,
-        chosen, *leftOnPurpose};
+    const PathOverLegs path{task, *ground, (*room)->steering, ways, narrower, chosen, *leftOnPurpose};
     auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8));
     if (driven) {
-        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, toBeat,
+        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, narrower, *ground, toBeat,
                              job.part(0.8, 1.0));
     }
     if (driven) {

@@ -27,12 +27,12 @@ constexpr double kEasedShare = 0.995;
 }  // namespace
 
 PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
-                           RememberedWays& ways, RememberedWays* folded, const ChosenTurns& chosen,
+                           RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                            const MultiPolygon& leftOnPurpose)
     : task_{task},
       ground_{ground},
       ways_{ways},
-      folded_{folded},
+      folding_{folding},
       chosen_{chosen},
       leftOnPurpose_{leftOnPurpose},
       room_{room} {}
@@ -55,7 +55,7 @@ Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Fo
             return WayBetween{.line = *std::move(way)};
         }
         if (folding == Folding::WhereNeeded) {
-            if (auto narrow = (*folded_)(leaving, arriving, piece)) {
+            if (auto narrow = folding_->folded(leaving, arriving, piece)) {
                 return WayBetween{.line = *std::move(narrow), .folded = true};
             }
         }
@@ -74,7 +74,7 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
         return std::unexpected(parts.error());
     }
     legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, room_.lowered, *parts, job);
-    if (folded_ == nullptr) {
+    if (folding_ == nullptr) {
         return legs;
     }
     // Folded, the machine gets from part to part, though not to every place of them.
@@ -82,12 +82,7 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
     if (!foldedParts) {
         return std::unexpected(foldedParts.error());
     }
-    RememberedWays either{
-        [this](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
-            auto way = ways_(leaving, arriving, part, effort);
-            return way ? way : (*folded_)(leaving, arriving, part, effort);
-        }};
-    return withWaysBetween(std::move(legs), either, room_.lowered, *foldedParts, job);
+    return withWaysBetween(std::move(legs), folding_->either, room_.lowered, *foldedParts, job);
 }
 
 Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
@@ -101,7 +96,7 @@ Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobC
         return std::unexpected(other.error());
     }
     legs = *std::move(other);
-    return joinedBy(legs, folded_ != nullptr ? Folding::WhereNeeded : Folding::Never, isWhole,
+    return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, isWhole,
                     job.part(0.75, 1.0));
 }
 

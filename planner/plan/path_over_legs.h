@@ -23,17 +23,23 @@ struct DriveTask {
     DrivingRooms& rooms;  ///< of plans before
 };
 
+/// Ways of a machine that is narrower with its implement folded for the road.
+struct FoldingWays {
+    RememberedWays folded;
+    RememberedWays either;  ///< raised, or folded where no raised way leads
+};
+
 /// Joins legs by ways, checks the path and audits it. Keeps references to all parameters.
 class PathOverLegs {
 public:
     /// @param ground         the area for ways, gates open
     /// @param room           for easing
-    /// @param folded         ways with the implement folded for the road, taken where no other leads; null
+    /// @param folding        taken where no raised way leads; null for machines that are no narrower folded
     /// for
     ///                       machines that are no narrower then
     /// @param leftOnPurpose  for the audit
     PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
-                 RememberedWays& ways, RememberedWays* folded, const ChosenTurns& chosen,
+                 RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                  const MultiPolygon& leftOnPurpose);
 
     /// The path over these legs with its findings and audit. If no way leads from one leg to the next, the
@@ -60,7 +66,7 @@ private:
     const DriveTask& task_;
     const MultiPolygon& ground_;
     RememberedWays& ways_;
-    RememberedWays* folded_;
+    FoldingWays* folding_;
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
     const SteeringRoom& room_;
