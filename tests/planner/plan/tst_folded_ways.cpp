@@ -142,6 +142,25 @@ private slots:
         COMPARE_WITHIN(plan_->audit.outside->si(), 0.0, 0.5);
     }
 
+    // A trailed boom of 24 m, 3 m on the road. Its finishing passes are reached folded, too.
+    void aWideBoomIsFoldedForTheLane() {
+        MachineSpec spec = folding(seconds(kFoldS), "trailed-sprayer").spec();
+        spec.implement.transportWidth = metres(3.0);
+        const auto made = planned(kRooms, Machine::create(spec).value());
+        VERIFY_RESULT(made);
+        const Plan& plan = **made;
+        QVERIFY2(plan.drivable(), plan.findings.front().text.c_str());
+        const auto stretches = foldedStretches(plan.path.segments);
+        QVERIFY(!stretches.empty());
+        QCOMPARE(foldedIn(plan.findings).size(), stretches.size());
+        COMPARE_WITHIN(foldingTime(plan.path.segments, plan.request.machine).si(),
+                       2.0 * kFoldS * static_cast<double>(stretches.size()), 1e-9);
+        spec.implement.transportWidth.reset();
+        const auto rigid = planned(kRooms, Machine::create(spec).value());
+        VERIFY_RESULT(rigid);
+        QVERIFY(!(*rigid)->drivable());
+    }
+
     // 60 s more to fold are 120 s more of the same drive.
     void slowerFoldingOnlyTakesLonger() {
         const auto slower = planned(kRooms, folding(seconds(kFoldS + 60.0)));
