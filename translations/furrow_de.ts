@@ -949,6 +949,10 @@
         <source>Split line %1</source>
         <translation>Teilungslinie %1</translation>
     </message>
+    <message>
+        <source>%1 with the implement folded, in %2.</source>
+        <translation>%1 mit eingeklapptem Gerät, in %2.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -5144,6 +5148,30 @@
         <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
         <translation>Die Lenkung ist für die geplante Geschwindigkeit zu langsam (%1); am schlimmsten ist es hier: %2. Dort wären %3 nötig.</translation>
     </message>
+    <message>
+        <source>The implement is folded on the way from %1 to %2.</source>
+        <translation>Das Gerät ist auf diesem Weg eingeklappt: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
+        <translation>Zum Ein- oder Ausklappen des Geräts muss die Maschine %1 s stehen; sie tut es an %2 nicht.</translation>
+    </message>
+    <message>
+        <source>Time to fold</source>
+        <translation>Zeit zum Einklappen</translation>
+    </message>
+    <message>
+        <source>To fold to the transport width, standing; the same again to unfold.</source>
+        <translation>Auf Transportbreite einklappen, im Stand; zum Ausklappen noch einmal so lang.</translation>
+    </message>
+    <message>
+        <source>%1 s to fold are more than an hour</source>
+        <translation>%1 s zum Einklappen sind mehr als eine Stunde</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to 3600</source>
+        <translation>eine Zahl von 0 bis 3600 angeben</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6152,6 +6180,14 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Das ist keine Zeit. Eingabe zum Beispiel 45 s oder 2 min.</translation>
     </message>
 </context>
 <context>

@@ -949,6 +949,10 @@
         <source>Split line %1</source>
         <translation>Línea de división %1</translation>
     </message>
+    <message>
+        <source>%1 with the implement folded, in %2.</source>
+        <translation>%1 con el apero plegado, en %2.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -5144,6 +5148,30 @@
         <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
         <translation>La dirección es demasiado lenta para la velocidad planificada en %1; lo peor es %2, que necesitaría %3.</translation>
     </message>
+    <message>
+        <source>The implement is folded on the way from %1 to %2.</source>
+        <translation>El apero va plegado en este camino: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
+        <translation>La máquina debe estar parada %1 s para plegar o desplegar el apero; en %2 no lo está.</translation>
+    </message>
+    <message>
+        <source>Time to fold</source>
+        <translation>Tiempo para plegar</translation>
+    </message>
+    <message>
+        <source>To fold to the transport width, standing; the same again to unfold.</source>
+        <translation>Para plegar al ancho de transporte, parado; otro tanto para desplegar.</translation>
+    </message>
+    <message>
+        <source>%1 s to fold are more than an hour</source>
+        <translation>%1 s para plegar son más de una hora</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to 3600</source>
+        <translation>indique un número de 0 a 3600</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6152,6 +6180,14 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Esto no es un tiempo. Escríbalo como 45 s o 2 min.</translation>
     </message>
 </context>
 <context>

@@ -949,6 +949,10 @@
         <source>Split line %1</source>
         <translation>Ligne de partage %1</translation>
     </message>
+    <message>
+        <source>%1 with the implement folded, in %2.</source>
+        <translation>%1 outil replié, en %2.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -5144,6 +5148,30 @@
         <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
         <translation>La direction est trop lente pour la vitesse prévue à %1 ; le pire est %2, qui demanderait %3.</translation>
     </message>
+    <message>
+        <source>The implement is folded on the way from %1 to %2.</source>
+        <translation>L’outil est replié sur ce trajet : %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
+        <translation>La machine doit rester à l’arrêt %1 s pour replier ou déplier son outil ; elle ne le fait pas à %2.</translation>
+    </message>
+    <message>
+        <source>Time to fold</source>
+        <translation>Temps de repliage</translation>
+    </message>
+    <message>
+        <source>To fold to the transport width, standing; the same again to unfold.</source>
+        <translation>Pour replier à la largeur de transport, à l’arrêt ; autant pour déplier.</translation>
+    </message>
+    <message>
+        <source>%1 s to fold are more than an hour</source>
+        <translation>%1 s pour replier dépassent une heure</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to 3600</source>
+        <translation>donner un nombre de 0 à 3600</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6152,6 +6180,14 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Ce n’est pas un temps. Le saisir comme 45 s ou 2 min.</translation>
     </message>
 </context>
 <context>

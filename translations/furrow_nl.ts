@@ -949,6 +949,10 @@
         <source>Split line %1</source>
         <translation>Splitlijn %1</translation>
     </message>
+    <message>
+        <source>%1 with the implement folded, in %2.</source>
+        <translation>%1 met opgeklapt werktuig, in %2.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -5144,6 +5148,30 @@
         <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
         <translation>De besturing is te traag voor de geplande snelheid op %1; het ergst is %2, daar zou %3 nodig zijn.</translation>
     </message>
+    <message>
+        <source>The implement is folded on the way from %1 to %2.</source>
+        <translation>Het werktuig is op deze weg opgeklapt: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
+        <translation>Om het werktuig op of uit te klappen moet de machine %1 s stilstaan; op %2 doet ze dat niet.</translation>
+    </message>
+    <message>
+        <source>Time to fold</source>
+        <translation>Tijd om op te klappen</translation>
+    </message>
+    <message>
+        <source>To fold to the transport width, standing; the same again to unfold.</source>
+        <translation>Opklappen tot transportbreedte, stilstaand; voor uitklappen nog eens zo lang.</translation>
+    </message>
+    <message>
+        <source>%1 s to fold are more than an hour</source>
+        <translation>%1 s om op te klappen is meer dan een uur</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to 3600</source>
+        <translation>geef een getal van 0 tot 3600</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6152,6 +6180,14 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Dit is geen tijd. Typ hem als 45 s of 2 min.</translation>
     </message>
 </context>
 <context>

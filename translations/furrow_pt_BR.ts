@@ -949,6 +949,10 @@
         <source>Split line %1</source>
         <translation>Linha de divisão %1</translation>
     </message>
+    <message>
+        <source>%1 with the implement folded, in %2.</source>
+        <translation>%1 com o implemento dobrado, em %2.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -5144,6 +5148,30 @@
         <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
         <translation>A direção é lenta demais para a velocidade planejada em %1; o pior é %2, que precisaria de %3.</translation>
     </message>
+    <message>
+        <source>The implement is folded on the way from %1 to %2.</source>
+        <translation>O implemento vai dobrado neste caminho: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
+        <translation>A máquina precisa ficar parada %1 s para dobrar ou desdobrar o implemento; em %2 não fica.</translation>
+    </message>
+    <message>
+        <source>Time to fold</source>
+        <translation>Tempo para dobrar</translation>
+    </message>
+    <message>
+        <source>To fold to the transport width, standing; the same again to unfold.</source>
+        <translation>Para dobrar até a largura de transporte, parado; o mesmo tempo para desdobrar.</translation>
+    </message>
+    <message>
+        <source>%1 s to fold are more than an hour</source>
+        <translation>%1 s para dobrar são mais de uma hora</translation>
+    </message>
+    <message>
+        <source>give a number from 0 to 3600</source>
+        <translation>dê um número de 0 a 3600</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6152,6 +6180,14 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Isto não é um tempo. Digite como 45 s ou 2 min.</translation>
     </message>
 </context>
 <context>

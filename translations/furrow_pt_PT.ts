@@ -136,6 +136,10 @@
         <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
         <translation>O interior é dividido ao longo dela onde ela o atravessa por inteiro. Arraste a linha ou os pontos, ou elimine-a.</translation>
     </message>
+    <message>
+        <source>%1 with the implement folded, in %2.</source>
+        <translation>%1 com a alfaia dobrada, em %2.</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -776,6 +780,14 @@
         <source>This machine cannot reverse.</source>
         <translation>Esta máquina não consegue andar em marcha-atrás.</translation>
     </message>
+    <message>
+        <source>The implement is folded on the way from %1 to %2.</source>
+        <translation>A alfaia vai dobrada neste caminho: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
+        <translation>A máquina tem de ficar parada %1 s para dobrar ou desdobrar a alfaia; em %2 não fica.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -1056,6 +1068,13 @@
     <message>
         <source>planned %1</source>
         <translation>planeado em %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Isto não é um tempo. Escreva como 45 s ou 2 min.</translation>
     </message>
 </context>
 </TS>

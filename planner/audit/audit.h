@@ -123,10 +123,9 @@ struct AuditReport {
 /// Left: the missed area within reach. If that would block the plan, and nothing trails, only the part that
 /// the machine has room to work (WorkingRoom).
 /// Blocking findings: outside, obstacle, curvature, jump, heading, missing-turn, reverse, dropped-swath,
-/// dropped-pass, undrivable, and missed area within reach above 1 % of the workable area or 100 m² in one
-/// piece.
-/// Cost: O(samples log samples), one sweep over all passes and, with a machine, two offsets of the field.
-/// Cancelled, within milliseconds. Deterministic for any thread count.
+/// dropped-pass, undrivable, folded (without standing for it), and missed area within reach above 1 % of the
+/// workable area or 100 m² in one piece. Cost: O(samples log samples), one sweep over all passes and, with a
+/// machine, two offsets of the field. Cancelled, within milliseconds. Deterministic for any thread count.
 Result<AuditReport> audit(const AuditInput& input, const JobContext& job = {});
 
 }  // namespace furrow

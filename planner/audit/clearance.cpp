@@ -9,6 +9,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
+#include "planner/path/folded_stretches.h"
 
 #include <algorithm>
 #include <atomic>
@@ -441,9 +442,9 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
             [&](std::size_t i) {
-                const FootprintPart& implement = input.segments[i].implementDown   ? footprint.lowered
-                                                 : isWayInOrOut(input.segments, i) ? footprint.folded
-                                                                                   : footprint.raised;
+                const FootprintPart& implement = input.segments[i].implementDown     ? footprint.lowered
+                                                 : isDrivenFolded(input.segments, i) ? footprint.folded
+                                                                                     : footprint.raised;
                 return SegmentSweep{footprint, meter, smallest}.run(motions[i], implement, look);
             },
             look);

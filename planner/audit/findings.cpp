@@ -72,6 +72,7 @@ public:
         reportUndrivable();
         reportCurvature();
         reportSteering();
+        reportFolding();
         reportBreaks();
         reportReverse();
         reportDroppedPasses();
@@ -167,6 +168,18 @@ private:
                     placesOf(steering.count), segmentName(input_, steering.segment),
                     measured_.kinematics.steerableMps),
                 "Drive more slowly there, or plan again.", steering.segment);
+        }
+    }
+
+    void reportFolding() {
+        const Trouble& folding = measured_.kinematics.folding;
+        if (folding.count > 0) {
+            add(Severity::Blocking, FindingKind::Folded, folding.place,
+                message(
+                    "The machine has to stand for {:.0f} s to fold its implement or to unfold it, and does "
+                    "not in {}.",
+                    input_.machine->spec().implement.timeToFold.si(), placesOf(folding.count)),
+                "Plan again; the times were changed.", folding.segment);
         }
     }
 

@@ -24,6 +24,9 @@ constexpr double kSpeedShare = 1.001;
 // Samples show the mean of a step. Noise of positions on short steps is far below the second value.
 constexpr double kSteeringShare = 1.05;
 constexpr double kSteeredAtOnceS = 0.02;
+// Slower is standing. Times of folding may differ by rounding.
+constexpr double kStandingMps = 1e-6;
+constexpr double kFoldedS = 1e-3;
 // Files of others state places to a millimetre.
 constexpr double kPlaceNoiseM = 3e-4;
 
@@ -170,8 +173,24 @@ private:
         if (last_) {
             last_->standsAtEndS += to.tS - from.tS;
         }
+        if (before.folded != next.folded) {
+            checkFolding(from, to, index);
+        }
         if (input_.statedMotion && (to.tS < from.tS - 1e-6 || to.sM < from.sM - 1e-6)) {
             found_.time.add(from.tS - to.tS, to.position, index);
+        }
+    }
+
+    /// From one stretch to the next the machine stands, folding its implement or unfolding it.
+    void checkFolding(const PathSample& from, const PathSample& to, std::size_t index) {
+        if (!input_.statedMotion || !input_.machine) {
+            return;
+        }
+        const double foldsS = input_.machine->spec().implement.timeToFold.si();
+        const bool stands = std::max(from.speedMps, to.speedMps) <= kStandingMps;
+        const double missingS = foldsS - (stands ? to.tS - from.tS : 0.0);
+        if (!stands || missingS > kFoldedS) {
+            found_.folding.add(missingS, from.position, index);
         }
     }
 

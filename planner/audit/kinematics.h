@@ -50,9 +50,12 @@ struct Kinematics {
     /// would have to be.
     Trouble steering;
     double steerableMps = 0.0;  ///< the speed that would do at the worst place
-    Trouble speed;              ///< above the machine's, by m/s
-    Trouble lateral;            ///< lateral acceleration, m/s²
-    Trouble time;               ///< runs backwards or contradicts the speed, s
+    /// The machine does not stand long enough where a folded stretch begins or ends, s that are missing. A
+    /// machine that is not said to stop there misses all of them.
+    Trouble folding;
+    Trouble speed;    ///< above the machine's, by m/s
+    Trouble lateral;  ///< lateral acceleration, m/s²
+    Trouble time;     ///< runs backwards or contradicts the speed, s
     Point reversedPlace;
 };
 

@@ -17,6 +17,8 @@ constexpr double kMostReserve = 0.05;
 /// Time from straight wheels to full lock, if the machine gives no rate.
 constexpr Duration kFullLockTime = seconds(2.0);
 
+constexpr Duration kLongestFolding = seconds(3600.0);
+
 Error refused(std::string_view key, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
@@ -52,6 +54,7 @@ Result<void> checkNumbers(const MachineSpec& spec) {
         {"max_acceleration_mps2", tractor.maxAcceleration.si()},
         {"max_lateral_acceleration_mps2", tractor.maxLateralAcceleration.si()},
         {"implement_length_m", implement.length.si(), true},
+        {"time_to_fold_s", implement.timeToFold.si(), true},
         {"lift_time_s", implement.liftTime.si(), true},
         {"lower_time_s", implement.lowerTime.si(), true},
         {"run_in_m", implement.runIn.si(), true},
@@ -109,6 +112,11 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
                     message("{:.2f} m for transport is wider than the machine at work, {:.2f} m",
                             implement.transportWidth->si(), widest.si()),
                     "give its width while it is folded"));
+    }
+    if (implement.timeToFold > kLongestFolding) {
+        return std::unexpected(refused(
+            "time_to_fold_s", message("{:.0f} s to fold are more than an hour", implement.timeToFold.si()),
+            "give a number from 0 to 3600"));
     }
     for (const double offset :
          {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {

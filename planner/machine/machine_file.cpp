@@ -258,6 +258,9 @@ constexpr MachineKey kKeys[] = {
     number<kImplement, &Implement::transportWidth>(
         "transport_width_m", "Transport width", "m", {0.1, 60.0},
         "Width while folded for the road, through gates and on ways in and out; the raised width where it is not given."),
+    number<kImplement, &Implement::timeToFold>(
+        "time_to_fold_s", "Time to fold", "s",
+        {0.0, 3600.0}, "To fold to the transport width, standing; the same again to unfold."),
     mounting(),
     number<kImplement, &Implement::hitchOffset>(
         "implement_hitch_offset_m", "Hitch offset", "m", {-20.0, 20.0},

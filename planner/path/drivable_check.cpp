@@ -5,6 +5,7 @@
 #include "planner/geometry/prepared_area.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
+#include "planner/path/folded_stretches.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/rig.h"
 
@@ -246,7 +247,7 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
             const PathSegment& segment = path.segments[index];
             auto found = segment.kind == SegmentKind::HeadlandPass
                              ? farthestAlong(states, shapes, drivableEdges, landEdges, job)
-                             : farthestOnWay(states, isWayInOrOut(path.segments, index) ? folded : shapes,
+                             : farthestOnWay(states, isDrivenFolded(path.segments, index) ? folded : shapes,
                                              segment.implementDown, drivable, land);
             if (found) {
                 found->segment = index;

@@ -16,7 +16,7 @@ struct BlockedConnection {
 };
 
 /// Connections and headland passes whose footprint leaves the drivable area. For connections, the outline of
-/// tractor and raised implement (folded on ways in and out) is tested at every sample, with the track of each
+/// tractor and raised implement (or folded) is tested at every sample, with the track of each
 /// of its corners. Passes are long: the outline with the implement down is tested every half metre.
 /// @param drivable  from drivableArea
 /// Cost: about 20 microseconds for each sample of a connection. Cancelled.

@@ -27,6 +27,7 @@ std::string_view kindId(FindingKind kind) {
         case FindingKind::HitchAngle: return "hitch-angle";
         case FindingKind::Gate: return "gate";
         case FindingKind::TurnKind: return "turn-kind";
+        case FindingKind::Folded: return "folded";
         case FindingKind::Repair: return "repair";
         case FindingKind::Instead: return "instead";
         case FindingKind::Setting: return "setting";

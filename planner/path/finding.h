@@ -36,6 +36,7 @@ enum class FindingKind {
     HitchAngle,           ///< bends the hitch too far
     Gate,                 ///< of the ways in and out
     TurnKind,             ///< a turn of another kind than chosen
+    Folded,               ///< a way is driven with the implement folded
     Repair,               ///< the boundary was repaired
     Instead,              ///< another choice was quicker
     Setting,              ///< a note of a stage about one of its settings

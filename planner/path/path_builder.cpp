@@ -38,7 +38,7 @@ std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Mac
 
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine) {
     return [turn, &machine](const Leg& leaving, const Leg& arriving, const JobContext&) {
-        return connection(leaving.line.end(), arriving.line.start, machine, turn);
+        return WayBetween{.line = connection(leaving.line.end(), arriving.line.start, machine, turn)};
     };
 }
 
@@ -53,14 +53,15 @@ Result<std::vector<Leg>> joinedLegs(std::span<const Leg> legs, const Machine& ma
             if (isSamePose(legs[i].line.end(), legs[i + 1].line.start)) {
                 return std::nullopt;
             }
-            Curve turn = way(legs[i], legs[i + 1], job);
+            auto [turn, folded] = way(legs[i], legs[i + 1], job);
             const bool isTransfer = (turn.type == kCombinedTurn && turn.length() > longest) ||
                                     legs[i].kind == SegmentKind::Transfer ||
                                     legs[i + 1].kind == SegmentKind::Transfer;
             return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,
                        .number = 0,
                        .line = std::move(turn),
-                       .implementDown = false};
+                       .implementDown = false,
+                       .folded = folded};
         },
         job);
     if (!ways) {

@@ -17,13 +17,20 @@ struct Leg {
     int number = 0;  ///< of the swath or headland pass
     Curve line;      ///< of the vehicle's reference point
     bool implementDown = true;
+    bool folded = false;  ///< driven with the implement folded for the road
 };
 
 /// One leg for each step of the route.
 std::vector<Leg> swathLegs(const SwathSet& swaths, const Route& route, const Machine& machine);
 
+/// What leads from one leg to the next.
+struct WayBetween {
+    Curve line;
+    bool folded = false;  ///< it fits only with the implement folded for the road
+};
+
 /// Finds the way from the end of one leg to the start of the next. Called by several threads at once.
-using WayFinder = std::function<Curve(const Leg& leaving, const Leg& arriving, const JobContext& job)>;
+using WayFinder = std::function<WayBetween(const Leg& leaving, const Leg& arriving, const JobContext& job)>;
 
 /// Turns of one kind in free space.
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine);

@@ -41,6 +41,7 @@ struct Run {
     Gear gear = Gear::Forward;
     std::vector<Step> steps;
     double pauseS = 0.0;  ///< time before it, on the spot, for more than steering
+    bool stands = false;  ///< before it, for any time
 };
 
 double kindLimit(SegmentKind kind, Gear gear, const Machine& machine) {
@@ -165,6 +166,16 @@ void addSteering(std::vector<Run>& runs, const Machine& machine) {
     }
 }
 
+/// The machine stands to fold its implement for the road, and to unfold it again.
+void addFolding(std::vector<Run>& runs, const Machine& machine) {
+    for (std::size_t r = 1; r < runs.size(); ++r) {
+        if (runs[r].leg->folded != runs[r - 1].leg->folded) {
+            runs[r].stands = true;
+            runs[r].pauseS += machine.spec().implement.timeToFold.si();
+        }
+    }
+}
+
 /// The implement is lifted and lowered between two stretches of work. The turn is slow enough for that, or
 /// has a pause if it has no length.
 std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
@@ -182,6 +193,7 @@ std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, Steer
             runs.back().pauseS = handlingS;
         }
     }
+    addFolding(runs, machine);
     if (steering == SteeringLimit::Kept) {
         addSteering(runs, machine);
     }
@@ -197,8 +209,9 @@ std::vector<double> speedsAtEnds(std::span<const Run> runs, double acceleration)
     std::vector<double> speeds{0.0};
     std::vector<double> lengths;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const bool stops = r > 0 && (runs[r].gear != runs[r - 1].gear || runs[r].pauseS > 0.0 ||
-                                     jumps(runs[r - 1].steps.back().to, runs[r].steps.front().from));
+        const bool stops =
+            r > 0 && (runs[r].gear != runs[r - 1].gear || runs[r].pauseS > 0.0 || runs[r].stands ||
+                      jumps(runs[r - 1].steps.back().to, runs[r].steps.front().from));
         if (stops) {
             speeds.back() = 0.0;
         }
@@ -227,14 +240,15 @@ public:
     explicit PathWriter(double acceleration) : acceleration_{acceleration} {}
 
     void begin(const Run& run, double speedMps) {
-        // The implement is handled and the wheels are turned at the same time.
+        // The implement is handled or folded, and the wheels are turned at the same time.
         timeS_ += std::max(run.pauseS, run.steps.front().pauseS);
         path_.segments.push_back(
             {.kind = run.leg->kind,
              .turnType = std::string{run.leg->kind == SegmentKind::Turn ? run.leg->line.type : ""},
              .number = run.leg->number,
              .gear = run.gear,
-             .implementDown = run.leg->implementDown});
+             .implementDown = run.leg->implementDown,
+             .folded = run.leg->folded});
         add(run.steps.front().from, run.steps.front().piece.curvature, speedMps);
     }
 

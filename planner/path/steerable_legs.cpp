@@ -359,7 +359,7 @@ void roundStart(std::vector<Leg>& run) {
     }
 }
 
-/// @param folded  whether each leg is on a way in or out
+/// @param folded  the one of `rigs` for legs that are driven folded
 EasedRuns::Key keyOf(const std::vector<Leg>& run, const std::vector<const Rig*>& rigs, const Rig& folded) {
     EasedRuns::Key key;
     for (std::size_t i = 0; i < run.size(); ++i) {
@@ -421,7 +421,9 @@ Result<std::vector<Leg>> steerableLegs(std::vector<Leg> legs, const SteeringRoom
     const auto last = std::ranges::find_last_if(legs, works).begin() - legs.begin();
     const auto rigOf = [&](std::size_t leg) {
         const auto place = static_cast<std::ptrdiff_t>(leg);
-        return works(legs[leg]) ? &room.lowered : place < first || place > last ? &room.folded : &room.raised;
+        return works(legs[leg])                                    ? &room.lowered
+               : legs[leg].folded || place < first || place > last ? &room.folded
+                                                                   : &room.raised;
     };
     std::vector<Part> parts = partsOf(legs, room.raised.machine());
     const auto runs = runsOf(parts);

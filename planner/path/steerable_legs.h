@@ -32,7 +32,7 @@ struct SteeringRoom {
 
     Rig lowered;
     Rig raised;
-    Rig folded;  ///< on ways in and out
+    Rig folded;  ///< on ways in and out, and where no raised way leads
     std::shared_ptr<EasedRuns> known = std::make_shared<EasedRuns>();
 };
 

@@ -2,6 +2,7 @@
 
 #include "planner/path/drivable_check.h"
 #include "planner/path/driven_parts.h"
+#include "planner/path/folded_stretches.h"
 #include "planner/plan/method_registry.h"
 
 #include <algorithm>
@@ -93,6 +94,21 @@ Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable,
         }
         worst = connection;
         findings.push_back(blockedFinding(path, connection, *parts));
+    }
+    return findings;
+}
+
+std::vector<Finding> foldedWays(const Path& path) {
+    std::vector<Finding> findings;
+    for (const FoldedStretch& stretch : foldedStretches(path.segments)) {
+        const PathSegment* const before = path.workBefore(stretch.first);
+        const PathSegment* const after = path.workAfter(stretch.last);
+        findings.push_back({.severity = Severity::Note,
+                            .kind = FindingKind::Folded,
+                            .place = path.segments[stretch.first].samples.front().position,
+                            .text = message("The implement is folded on the way from {} to {}.",
+                                            before == nullptr ? Message{"the start"} : nameOf(*before),
+                                            after == nullptr ? Message{"the end"} : nameOf(*after))});
     }
     return findings;
 }

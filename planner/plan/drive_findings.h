@@ -14,6 +14,9 @@ namespace furrow {
 Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable, const Machine& machine,
                                        const JobContext& job);
 
+/// A note for each stretch that is driven with the implement folded between two pieces of work.
+std::vector<Finding> foldedWays(const Path& path);
+
 /// A finding if the path turns on the spot and the machine cannot.
 std::optional<Finding> impossibleTurns(const PlanRequest& request, const Path& path);
 

@@ -3,6 +3,7 @@
 #include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
+#include "planner/path/folded_stretches.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/lifted_legs.h"
 #include "planner/plan/finish_stage.h"
@@ -103,6 +104,16 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
                             SearchEffort effort) {
         return (gates.leads(leaving, arriving) ? folded : fitting)->between(leaving, arriving, part, effort);
     }};
+    FoldingWays folding{.folded = RememberedWays{[&](const Pose& leaving, const Pose& arriving,
+                                                     const JobContext& part, SearchEffort effort) {
+                            return folded->between(leaving, arriving, part, effort);
+                        }},
+                        .either = RememberedWays{[&](const Pose& leaving, const Pose& arriving,
+                                                     const JobContext& part, SearchEffort effort) {
+                            auto way = ways(leaving, arriving, part, effort);
+                            return way ? way : folding.folded(leaving, arriving, part, effort);
+                        }}};
+    FoldingWays* const narrower = foldsNarrower(machine) ? &folding : nullptr;
     auto [legs, passedOver] =
         liftedOver(legsOf(task), field.passable(), machine, machine.spec().implement.length);
     if (std::ranges::none_of(legs, &Leg::implementDown)) {
@@ -114,10 +125,10 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     }
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
     gates = addGateWays(legs, *places, field, Rig{*open, machine.folded()});
-    const PathOverLegs path{task, *ground, (*room)->steering, ways, chosen, *leftOnPurpose};
+    const PathOverLegs path{task, *ground, (*room)->steering, ways, narrower, chosen, *leftOnPurpose};
     auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8));
     if (driven) {
-        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, *ground, toBeat,
+        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, narrower, *ground, toBeat,
                              job.part(0.8, 1.0));
     }
     if (driven) {

@@ -64,25 +64,39 @@ bool mayFinish(const DriveTask& task) {
            (settings.flag(kStayInside) ? !task.headland.drivenPasses.empty() : task.headland.passes == 0);
 }
 
+/// The place for a pass, between raised ways if there are such.
+PassPlace placeBetween(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways,
+                       FoldingWays* folding, const JobContext& job) {
+    const PassPlace place = placeFor(line, legs, ways, job);
+    return folding == nullptr || place.access == PassAccess::There
+               ? place
+               : placeFor(line, legs, folding->either, job);
+}
+
 /// Passes on full lock, for machines that cannot reverse.
 Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered,
                                                      const std::vector<Leg>& legs, RememberedWays& ways,
-                                                     const MultiPolygon& ground, const JobContext& job) {
+                                                     FoldingWays* folding, const MultiPolygon& ground,
+                                                     const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
         return std::optional<FullLockPasses>{};
     }
     return FullLockPasses::of(
                ground, lowered,
-               [&legs, &ways, job](const Curve& line) { return placeFor(line, legs, ways, job).access; }, job)
+               [&legs, &ways, folding, job](const Curve& line) {
+                   return placeBetween(line, legs, ways, folding, job).access;
+               },
+               job)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
 }
 
 }  // namespace
 
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
-                           const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
-                           std::optional<PlanToBeat> toBeat, const JobContext& job) {
+                           const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
+                           const MultiPolygon& ground, std::optional<PlanToBeat> toBeat,
+                           const JobContext& job) {
     if (!mayFinish(task) || !leavesTooMuch(driven)) {
         return driven;
     }
@@ -95,7 +109,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     const Duration before = timeOf(driven);
     const Area left = driven.audit.left;
     const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
-    auto bends = fullLockPasses(task, lowered, legs, ways, ground, job);
+    auto bends = fullLockPasses(task, lowered, legs, ways, folding, ground, job);
     if (!bends) {
         return std::unexpected(bends.error());
     }
@@ -126,6 +140,13 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
             return std::unexpected(passes.error());
         }
         FinishedLegs more = withFinishingPasses(legs, *passes, ways, part);
+        if (folding != nullptr && !more.refused.empty()) {
+            FinishedLegs folded =
+                withFinishingPasses(std::move(more.legs), more.refused, folding->either, part);
+            more.legs = std::move(folded.legs);
+            more.refused = std::move(folded.refused);
+            std::ranges::move(folded.put, std::back_inserter(more.put));
+        }
         std::ranges::for_each(more.refused, refuse);
         driven.driving += watch.lap();
         if (more.put.empty()) {

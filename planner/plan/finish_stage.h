@@ -5,14 +5,15 @@
 namespace furrow {
 
 /// Adds short passes over land that is left, if there is too much of it and the plan gets better. If no way
-/// leads to a pass, the next round tries other passes.
+/// leads to a pass, not even folded, the next round tries other passes.
 ///
 /// @param driven  the path over these legs, with its audit
 /// @param ground  the area for ways, gates open
 /// @param toBeat  the best plan so far. InputRefused: this one cannot be better.
 /// Cancelled.
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
-                           const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
-                           std::optional<PlanToBeat> toBeat, const JobContext& job);
+                           const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
+                           const MultiPolygon& ground, std::optional<PlanToBeat> toBeat,
+                           const JobContext& job);
 
 }  // namespace furrow

@@ -27,45 +27,77 @@ constexpr double kEasedShare = 0.995;
 }  // namespace
 
 PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
-                           RememberedWays& ways, const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose)
+                           RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
+                           const MultiPolygon& leftOnPurpose)
     : task_{task},
       ground_{ground},
       ways_{ways},
+      folding_{folding},
       chosen_{chosen},
       leftOnPurpose_{leftOnPurpose},
       room_{room} {}
 
-Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
+Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Folding folding, bool& isWhole,
+                                                const JobContext& job) const {
     const Settings& settings = task_.request.settings;
     const Machine& machine = task_.request.machine;
     const bool fits = settings.flag(kStayInside);
-    std::atomic<bool> isWhole{true};
-    const auto build = [&](const JobContext& part) {
-        return joinedLegs(
-            legs, machine,
-            [&](const Leg& from, const Leg& to, const JobContext& piece) {
-                const Pose leaving = from.line.end();
-                const Pose arriving = to.line.start;
-                // A way that may leave the field keeps its kind but where it leads through an obstacle.
-                auto way = fits ? chosen_.between(from, to) : chosen_.anywhere(from, to);
-                if (!way) {
-                    way = ways_(leaving, arriving, piece);
-                }
-                isWhole = isWhole && way;
-                return way ? std::move(*way) : connection(leaving, arriving, machine, otherTurns(settings));
-            },
-            part);
+    std::atomic<bool> allFound{true};
+    const auto wayBetween = [&](const Leg& from, const Leg& to, const JobContext& piece) {
+        const Pose leaving = from.line.end();
+        const Pose arriving = to.line.start;
+        // A way that may leave the field keeps its kind but where it leads through an obstacle.
+        auto way = fits ? chosen_.between(from, to) : chosen_.anywhere(from, to);
+        if (!way) {
+            way = ways_(leaving, arriving, piece);
+        }
+        if (way) {
+            return WayBetween{.line = *std::move(way)};
+        }
+        if (folding == Folding::WhereNeeded) {
+            if (auto narrow = folding_->folded(leaving, arriving, piece)) {
+                return WayBetween{.line = *std::move(narrow), .folded = true};
+            }
+        }
+        allFound = false;
+        return WayBetween{.line = connection(leaving, arriving, machine, otherTurns(settings))};
     };
-    auto all = build(job.part(0.0, 0.75));
-    if (!all || !fits || isWhole) {
-        return all;
-    }
+    auto all = joinedLegs(legs, machine, wayBetween, job);
+    isWhole = allFound;
+    return all;
+}
+
+Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const JobContext& job) const {
+    const Machine& machine = task_.request.machine;
     const auto parts = DrivenParts::of(ground_, machine, {}, job);
     if (!parts) {
         return std::unexpected(parts.error());
     }
     legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, room_.lowered, *parts, job);
-    return build(job.part(0.75, 1.0));
+    if (folding_ == nullptr) {
+        return legs;
+    }
+    // Folded, the machine gets from part to part, though not to every place of them.
+    const auto foldedParts = DrivenParts::of(ground_, machine.folded(), {}, job);
+    if (!foldedParts) {
+        return std::unexpected(foldedParts.error());
+    }
+    return withWaysBetween(std::move(legs), folding_->either, room_.lowered, *foldedParts, job);
+}
+
+Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
+    bool isWhole = true;
+    auto all = joinedBy(legs, Folding::Never, isWhole, job.part(0.0, 0.75));
+    if (!all || isWhole || !task_.request.settings.flag(kStayInside)) {
+        return all;
+    }
+    auto other = reordered(std::move(legs), job.withoutProgress());
+    if (!other) {
+        return std::unexpected(other.error());
+    }
+    legs = *std::move(other);
+    return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, isWhole,
+                    job.part(0.75, 1.0));
 }
 
 Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector<Leg>& legs,
@@ -77,6 +109,7 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
             return checked;
         }
         findings = *std::move(checked);
+        std::ranges::move(foldedWays(path), std::back_inserter(findings));
         if (auto told = chosen_.told(legs)) {
             findings.push_back(*std::move(told));
         }

@@ -23,17 +23,27 @@ struct DriveTask {
     DrivingRooms& rooms;  ///< of plans before
 };
 
+/// Ways of a machine that is narrower with its implement folded for the road.
+struct FoldingWays {
+    RememberedWays folded;
+    RememberedWays either;  ///< raised, or folded where no raised way leads
+};
+
 /// Joins legs by ways, checks the path and audits it. Keeps references to all parameters.
 class PathOverLegs {
 public:
     /// @param ground         the area for ways, gates open
     /// @param room           for easing
+    /// @param folding        taken where no raised way leads; null for machines that are no narrower folded
+    /// for
+    ///                       machines that are no narrower then
     /// @param leftOnPurpose  for the audit
     PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
-                 RememberedWays& ways, const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose);
+                 RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
+                 const MultiPolygon& leftOnPurpose);
 
     /// The path over these legs with its findings and audit. If no way leads from one leg to the next, the
-    /// legs get another order.
+    /// legs get another order. Where none leads then, the implement is folded.
     ///
     /// @param finishing  short passes among the legs, which are not passes of the headland
     /// @param toBeat     the best plan so far. InputRefused: this one cannot be better.
@@ -42,13 +52,21 @@ public:
                          std::optional<PlanToBeat> toBeat, const JobContext& job) const;
 
 private:
+    enum class Folding { Never, WhereNeeded };
+
     Result<std::vector<Leg>> joined(std::vector<Leg>& legs, const JobContext& job) const;
+    /// @param isWhole  whether a way that fits was found everywhere
+    Result<std::vector<Leg>> joinedBy(const std::vector<Leg>& legs, Folding folding, bool& isWhole,
+                                      const JobContext& job) const;
+    /// The legs in an order in which more ways lead from each to the next.
+    Result<std::vector<Leg>> reordered(std::vector<Leg> legs, const JobContext& job) const;
     Result<std::vector<Finding>> foundIn(Path& path, const std::vector<Leg>& legs,
                                          const JobContext& job) const;
 
     const DriveTask& task_;
     const MultiPolygon& ground_;
     RememberedWays& ways_;
+    FoldingWays* folding_;
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
     const SteeringRoom& room_;

@@ -205,6 +205,9 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
             text.sentence = Words::tr("%1 without working, in %2.").arg(length, time);
             break;
     }
+    if (segment.folded) {
+        text.sentence = Words::tr("%1 with the implement folded, in %2.").arg(length, time);
+    }
     if (!segment.drivable) {
         text.sentence = Words::tr("It cannot be driven like this: %1.").arg(shown(segment.reason));
     }

@@ -16,19 +16,24 @@ namespace furrow {
 namespace {
 
 /// What decides a plan and what people know of their machine.
-constexpr std::array<std::string_view, 7> kShownKeys{
-    "operating_width_m", "vehicle_width_m",   "min_turning_radius_m", "raised_width_m",
-    "transport_width_m", "working_speed_mps", "turning_speed_mps"};
+constexpr std::array<std::string_view, 8> kShownKeys{
+    "operating_width_m", "vehicle_width_m", "min_turning_radius_m", "raised_width_m",
+    "transport_width_m", "time_to_fold_s",  "working_speed_mps",    "turning_speed_mps"};
 
 QuantityText::Kind quantityOf(const MachineKey& key) {
     return key.unit == "m/s" ? QuantityText::Speed
            : key.unit == "m" ? QuantityText::Length
+           : key.unit == "s" ? QuantityText::Duration
                              : QuantityText::Number;
 }
 
-/// Half a km/h, a decimetre.
+/// Half a km/h, five seconds, a decimetre.
 double stepOf(const MachineKey& key) {
-    return key.unit == "m/s" ? 0.5 * kKilometrePerHourMps : 0.1;
+    return key.unit == "m/s" ? 0.5 * kKilometrePerHourMps : key.unit == "s" ? 5.0 : 0.1;
+}
+
+int decimalsOf(const MachineKey& key) {
+    return key.unit == "m/s" ? 1 : key.unit == "s" ? 0 : 2;
 }
 
 /// What stands for a number that is not given.
@@ -121,7 +126,7 @@ QVariant MachineModel::data(const QModelIndex& index, int role) const {
         case FromRole: return key.min;
         case ToRole: return key.max;
         case StepRole: return stepOf(key);
-        case DecimalsRole: return key.unit == "m/s" ? 1 : 2;
+        case DecimalsRole: return decimalsOf(key);
         default: return {};
     }
 }

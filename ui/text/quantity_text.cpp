@@ -53,6 +53,8 @@ constexpr std::array kTypedUnits{
     TypedUnit{"mph", QuantityText::Speed, kMilePerHourMps},
     TypedUnit{"°", QuantityText::Angle, 1.0},
     TypedUnit{"deg", QuantityText::Angle, 1.0},
+    TypedUnit{"s", QuantityText::Duration, 1.0},
+    TypedUnit{"min", QuantityText::Duration, 60.0},
 };
 
 std::optional<double> unitNamed(const QString& text, QuantityText::Kind kind) {
@@ -69,6 +71,7 @@ double siOf(QuantityText::Kind kind) {
         case QuantityText::Area: return imperial ? kAcreM2 : kHectareM2;
         case QuantityText::Speed: return imperial ? kMilePerHourMps : kKilometrePerHourMps;
         case QuantityText::Angle:
+        case QuantityText::Duration:
         case QuantityText::Number: break;
     }
     return 1.0;
@@ -138,6 +141,7 @@ QString QuantityText::unit(Kind kind) const {
         case Area: return imperial ? tr("ac") : tr("ha");
         case Speed: return imperial ? tr("mph") : tr("km/h");
         case Angle: return tr("°");
+        case Duration: return tr("s");
         case Number: break;
     }
     return {};
@@ -160,6 +164,7 @@ QString QuantityText::complaint(const QString& text, Kind kind, double from, dou
             case Area: return tr("This is not an area. Type it like 12.5 ha or 30 ac.");
             case Speed: return tr("This is not a speed. Type it like 8 km/h or 5 mph.");
             case Angle: return tr("This is not an angle. Type it in degrees, like 87.5.");
+            case Duration: return tr("This is not a time. Type it like 45 s or 2 min.");
             case Number: return tr("This is not a number.");
         }
     }

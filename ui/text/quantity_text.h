@@ -8,15 +8,15 @@
 
 namespace furrow {
 
-/// What fields show and read, in SI units on this side (metres, square metres, metres per second; angles in
-/// degrees) and in the user's units on the other. The one place where typed values are read.
+/// What fields show and read, in SI units on this side (metres, square metres, metres per second, seconds;
+/// angles in degrees) and in the user's units on the other. The one place where typed values are read.
 class QuantityText : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Display.quantities has them")
 
 public:
-    enum Kind { Number, Length, Area, Speed, Angle };
+    enum Kind { Number, Length, Area, Speed, Angle, Duration };
     Q_ENUM(Kind)
 
     /// The value that was typed: a number in the user's units, or with units of either system behind it ("7,3

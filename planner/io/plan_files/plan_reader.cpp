@@ -143,6 +143,7 @@ private:
         segment.implementDown =
             properties.value("implement_down",
                              segment.kind == SegmentKind::Swath || segment.kind == SegmentKind::HeadlandPass);
+        segment.folded = properties.value("folded", false);
         segment.drivable = properties.value("drivable", true);
         segment.reason = properties.value("reason", "");
         for (const Point& point : frame_.toLocal(pointsOf(geometry.at("coordinates")))) {
@@ -250,6 +251,7 @@ Result<void> readPath(const fs::path& folder, const FeatureReader& features, Wri
         const PathSegment& drawn = features.segments[i].segment;
         plan.segments[i].turnType = drawn.turnType;
         plan.segments[i].number = drawn.number;
+        plan.segments[i].folded = drawn.folded;
         plan.segments[i].drivable = drawn.drivable;
         plan.segments[i].reason = drawn.reason;
     }

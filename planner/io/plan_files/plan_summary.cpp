@@ -3,6 +3,7 @@
 #include "planner/headland/methods.h"
 #include "planner/io/plan_files/audit_json.h"
 #include "planner/machine/machine_file.h"
+#include "planner/path/folded_stretches.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/round_stage.h"
@@ -111,14 +112,19 @@ Json swathsJson(const Plan& plan) {
 }
 
 Json pathJson(const Plan& plan) {
-    return {{"length_m", plan.path.length().si()},
-            {"working_length_m", plan.path.workedLength().si()},
-            {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
-            {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
-            {"reverse_length_m", plan.path.reversedLength().si()},
-            {"time_s", plan.path.duration().si()},
-            {"turns", plan.path.turnCount()},
-            {"undrivable_turns", plan.path.undrivableCount()}};
+    Json json{{"length_m", plan.path.length().si()},
+              {"working_length_m", plan.path.workedLength().si()},
+              {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
+              {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
+              {"reverse_length_m", plan.path.reversedLength().si()},
+              {"time_s", plan.path.duration().si()},
+              {"turns", plan.path.turnCount()},
+              {"undrivable_turns", plan.path.undrivableCount()}};
+    if (const auto folded = foldedStretches(plan.path.segments); !folded.empty()) {
+        json["folded_ways"] = folded.size();
+        json["folding_time_s"] = foldingTime(plan.path.segments, plan.request.machine).si();
+    }
+    return json;
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ private slots:
     void findsMachines();
     void unknownMachineListsTheKnown();
     void transportWidth();
+    void timeToFold();
     void libraryFolds();
 };
 
@@ -219,7 +220,7 @@ void TestMachineFile::keysGetAndSet() {
             QVERIFY2(std::holds_alternative<std::monostate>(key.get(spec)), name.c_str());
         }
     }
-    QCOMPARE(seen.size(), 35U);
+    QCOMPARE(seen.size(), 36U);
 }
 
 void TestMachineFile::paperRobotComesFirst() {
@@ -283,10 +284,32 @@ void TestMachineFile::transportWidth() {
     }
 }
 
-// What folds in reality says so in the library; nothing is wider on the road than 3.5 m.
+// No time where none is given; up to an hour.
+void TestMachineFile::timeToFold() {
+    const auto machine = [](std::string_view more) {
+        return parseMachine(std::format(R"({{"operating_width_m": 12, "min_turning_radius_m": 6{}}})", more),
+                            "drill");
+    };
+    QCOMPARE(machine("").value().spec().implement.timeToFold.si(), 0.0);
+    const Machine folding = machine(R"(, "time_to_fold_s": 45)").value();
+    QCOMPARE(folding.spec().implement.timeToFold.si(), 45.0);
+    QVERIFY(parseMachine(machineJson(folding.spec()), "again").value() == folding);
+    QVERIFY(machine(R"(, "time_to_fold_s": 3600)").has_value());
+    for (const char* refused : {"-1", "3601", "\"long\""}) {
+        const auto bad = machine(std::format(R"(, "time_to_fold_s": {})", refused));
+        QVERIFY(!bad);
+        QCOMPARE(bad.error().code, ErrorCode::InputRefused);
+        QVERIFY(bad.error().where.contains("time_to_fold_s"));
+    }
+}
+
+// What folds in reality says so in the library, and how long it takes; nothing is wider on the road than 3.5
+// m.
 void TestMachineFile::libraryFolds() {
     for (const Machine& machine : machineLibrary()) {
         QVERIFY2(machine.transportWidth() <= metres(3.5), machine.id().c_str());
+        const bool takesTime = machine.spec().implement.timeToFold > Duration{};
+        QVERIFY2(takesTime == (machine.transportWidth() < machine.turningWidth()), machine.id().c_str());
     }
 }
 

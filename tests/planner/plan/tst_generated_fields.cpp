@@ -103,7 +103,7 @@ double outsideByGeosM2(const Plan& plan) {
     const MultiPolygon open = dilated(plan.field().drivable(), metres(0.011), metres(0.0005), {}).value();
     MultiPolygon footprints;
     for (const PathSegment& segment : plan.path.segments) {
-        const Machine& machine = plan.request.machine;
+        const Machine machine = segment.folded ? plan.request.machine.folded() : plan.request.machine;
         const Ring shape = segment.implementDown ? machine.workingFootprint() : machine.turningFootprint();
         for (const PathSample& sample : segment.samples) {
             footprints.push_back(

@@ -63,6 +63,9 @@ private slots:
         row("km/h", "9", QuantityText::Speed, false, 2.5);
         row("km/h for one who reads mph", "9 km/h", QuantityText::Speed, true, 2.5);
         row("metres a second", "2 m/s", QuantityText::Speed, false, 2.0);
+        row("seconds", "45 s", QuantityText::Duration, true, 45.0);
+        row("minutes", "1,5 min", QuantityText::Duration, false, 90.0);
+        refused("seconds of length", "45 m", QuantityText::Duration);
         row("degrees", "87,5°", QuantityText::Angle, true, 87.5);
         row("a plain number", "4", QuantityText::Number, true, 4.0);
         refused("a speed where a length is wanted", "5 mph", QuantityText::Length);
@@ -117,7 +120,7 @@ private slots:
             for (const char* language : {"en", "de", "fr"}) {
                 use(language, imperial);
                 for (const auto kind : {QuantityText::Number, QuantityText::Length, QuantityText::Area,
-                                        QuantityText::Speed, QuantityText::Angle}) {
+                                        QuantityText::Speed, QuantityText::Angle, QuantityText::Duration}) {
                     const double value = 1234.5 * fields.unitSize(kind);
                     const QString text = fields.text(value, kind, 2);
                     const auto read = QuantityText::parsed(text, kind);

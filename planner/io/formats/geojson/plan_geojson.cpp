@@ -121,6 +121,9 @@ private:
             }
             properties["gear"] = static_cast<int>(segment.gear);
             properties["implement_down"] = segment.implementDown;
+            if (segment.folded) {
+                properties["folded"] = true;
+            }
             properties["machine"] = 0;
             properties["drivable"] = segment.drivable;
             if (!segment.drivable) {
