@@ -67,7 +67,7 @@ bool mayFinish(const DriveTask& task) {
 /// Passes on full lock, for machines that cannot reverse.
 Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered,
                                                      const std::vector<Leg>& legs, RememberedWays& ways,
-                                                     const MultiPolygon& ground, const JobContext& job) {
+                                                     const AllowedAreas& ground, const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
         return std::optional<FullLockPasses>{};
@@ -81,7 +81,7 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
 }  // namespace
 
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
-                           const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
+                           const PathOverLegs& path, RememberedWays& ways, const AllowedAreas& ground,
                            std::optional<PlanToBeat> toBeat, const JobContext& job) {
     if (!mayFinish(task) || !leavesTooMuch(driven)) {
         return driven;

@@ -12,7 +12,7 @@ namespace furrow {
 /// @param toBeat  the best plan so far. InputRefused: this one cannot be better.
 /// Cancelled.
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
-                           const PathOverLegs& path, RememberedWays& ways, const MultiPolygon& ground,
+                           const PathOverLegs& path, RememberedWays& ways, const AllowedAreas& ground,
                            std::optional<PlanToBeat> toBeat, const JobContext& job);
 
 }  // namespace furrow

@@ -29,7 +29,7 @@ public:
     /// @param ground         the area for ways, gates open
     /// @param room           for easing
     /// @param leftOnPurpose  for the audit
-    PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
+    PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const SteeringRoom& room,
                  RememberedWays& ways, const ChosenTurns& chosen, const MultiPolygon& leftOnPurpose);
 
     /// The path over these legs with its findings and audit. If no way leads from one leg to the next, the
@@ -47,7 +47,7 @@ private:
                                          const JobContext& job) const;
 
     const DriveTask& task_;
-    const MultiPolygon& ground_;
+    const AllowedAreas& ground_;
     RememberedWays& ways_;
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
