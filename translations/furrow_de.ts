@@ -823,6 +823,10 @@
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
         <source>Area</source>
         <translation>Fläche</translation>
     </message>
@@ -2347,6 +2351,10 @@
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Überstand</translation>
+    </message>
+    <message>
         <source>Most covered</source>
         <translation>Meiste Fläche</translation>
     </message>
@@ -3107,6 +3115,10 @@
         <translation>Abstand zur Feldgrenze, den alles einhält; Auto ist die Genauigkeit der Feldgrenze.</translation>
     </message>
     <message>
+        <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
+        <translation>Wie weit das Gerät über Feldgrenze und Hindernissen stehen darf, mit dort abgeschalteten Teilbreiten; Schlepper und alle Räder bleiben im Schlag.</translation>
+    </message>
+    <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
         <translation>Was auf einem Quadratmeter ausgebracht oder geerntet wird, in derselben Einheit.</translation>
     </message>
@@ -3535,6 +3547,10 @@
         <translation>einen Abstand von 0 m oder mehr angeben</translation>
     </message>
     <message>
+        <source>give an overhang of 0 to 100 m</source>
+        <translation>einen Überstand von 0 bis 100 m angeben</translation>
+    </message>
+    <message>
         <source>give a curve that does not, or plan its parts apart</source>
         <translation>eine Kurve ohne Kreuzung angeben oder ihre Teile getrennt planen</translation>
     </message>
@@ -3845,6 +3861,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>sein Abstand ist keine Länge</translation>
+    </message>
+    <message>
+        <source>its overhang is not a length from 0 to 100 m</source>
+        <translation>sein Überstand ist keine Länge von 0 bis 100 m</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
@@ -4273,6 +4293,14 @@
     <message>
         <source>the headland of edge %1</source>
         <translation>das Vorgewende an Kante %1</translation>
+    </message>
+    <message>
+        <source>the overhang of edge %1</source>
+        <translation>der Überstand an Kante %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>
@@ -4988,6 +5016,10 @@
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 kann diese Maschine nicht erreichen; das größte Stück, %2, liegt hier.</translation>
+    </message>
+    <message>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
+        <translation>Das Gerät steht bis zu %1 m über den Feldrand oder ein Hindernis, wie der Überstand es erlaubt.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5760,6 +5792,14 @@
     <message>
         <source>Change the buffer</source>
         <translation>Abstand ändern</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an obstacle</source>
+        <translation>Überstand eines Hindernisses ändern</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an edge</source>
+        <translation>Überstand einer Kante ändern</translation>
     </message>
     <message>
         <source>Draw a hole</source>

@@ -823,6 +823,10 @@
         <translation>Distancia</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Voladizo</translation>
+    </message>
+    <message>
         <source>Area</source>
         <translation>Superficie</translation>
     </message>
@@ -2347,6 +2351,10 @@
         <translation>Margen</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Voladizo</translation>
+    </message>
+    <message>
         <source>Most covered</source>
         <translation>Más superficie</translation>
     </message>
@@ -3107,6 +3115,10 @@
         <translation>Lo que todo guarda hasta el límite; auto es la precisión del límite.</translation>
     </message>
     <message>
+        <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
+        <translation>Hasta dónde puede sobresalir el apero del límite de parcela y sobre los obstáculos, con sus secciones allí cerradas; el tractor y todas las ruedas quedan dentro.</translation>
+    </message>
+    <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
         <translation>Lo que se reparte o recoge en un metro cuadrado, en la misma unidad.</translation>
     </message>
@@ -3535,6 +3547,10 @@
         <translation>indique una distancia de 0 m o más</translation>
     </message>
     <message>
+        <source>give an overhang of 0 to 100 m</source>
+        <translation>indique un voladizo de 0 a 100 m</translation>
+    </message>
+    <message>
         <source>give a curve that does not, or plan its parts apart</source>
         <translation>indique una curva que no se cruce o planifique sus partes por separado</translation>
     </message>
@@ -3845,6 +3861,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>su distancia no es una longitud</translation>
+    </message>
+    <message>
+        <source>its overhang is not a length from 0 to 100 m</source>
+        <translation>su voladizo no es una longitud de 0 a 100 m</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
@@ -4273,6 +4293,14 @@
     <message>
         <source>the headland of edge %1</source>
         <translation>la cabecera del lado %1</translation>
+    </message>
+    <message>
+        <source>the overhang of edge %1</source>
+        <translation>el voladizo del lado %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>lado %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>
@@ -4988,6 +5016,10 @@
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 quedan fuera del alcance de esta máquina; el trozo más grande, %2, está aquí.</translation>
+    </message>
+    <message>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
+        <translation>El apero sobresale de la parcela o sobre un obstáculo, hasta %1 m, como permite el voladizo.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5760,6 +5792,14 @@
     <message>
         <source>Change the buffer</source>
         <translation>Cambiar la distancia</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an obstacle</source>
+        <translation>Cambiar el voladizo de un obstáculo</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an edge</source>
+        <translation>Cambiar el voladizo de un lado</translation>
     </message>
     <message>
         <source>Draw a hole</source>

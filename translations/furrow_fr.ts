@@ -823,6 +823,10 @@
         <translation>Distance</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Débord</translation>
+    </message>
+    <message>
         <source>Area</source>
         <translation>Surface</translation>
     </message>
@@ -2347,6 +2351,10 @@
         <translation>Marge</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Débord</translation>
+    </message>
+    <message>
         <source>Most covered</source>
         <translation>Plus de surface</translation>
     </message>
@@ -3107,6 +3115,10 @@
         <translation>Ce que tout garde par rapport à la limite ; auto est la précision de la limite.</translation>
     </message>
     <message>
+        <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
+        <translation>Jusqu&apos;où l&apos;outil peut déborder de la limite de parcelle et au-dessus des obstacles, tronçons coupés à cet endroit ; le tracteur et toutes les roues restent à l&apos;intérieur.</translation>
+    </message>
+    <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
         <translation>Ce qui est épandu ou récolté sur un mètre carré, dans la même unité.</translation>
     </message>
@@ -3535,6 +3547,10 @@
         <translation>donner une distance de 0 m ou plus</translation>
     </message>
     <message>
+        <source>give an overhang of 0 to 100 m</source>
+        <translation>indiquer un débord de 0 à 100 m</translation>
+    </message>
+    <message>
         <source>give a curve that does not, or plan its parts apart</source>
         <translation>donner une courbe qui ne se croise pas, ou planifier ses parties séparément</translation>
     </message>
@@ -3845,6 +3861,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>sa distance n&apos;est pas une longueur</translation>
+    </message>
+    <message>
+        <source>its overhang is not a length from 0 to 100 m</source>
+        <translation>son débord n&apos;est pas une longueur de 0 à 100 m</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
@@ -4273,6 +4293,14 @@
     <message>
         <source>the headland of edge %1</source>
         <translation>la fourrière du côté %1</translation>
+    </message>
+    <message>
+        <source>the overhang of edge %1</source>
+        <translation>le débord du côté %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>côté %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>
@@ -4988,6 +5016,10 @@
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 sont hors de portée de cette machine ; le plus grand morceau, %2, se trouve ici.</translation>
+    </message>
+    <message>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
+        <translation>L&apos;outil déborde de la parcelle ou au-dessus d&apos;un obstacle, jusqu&apos;à %1 m, comme le débord le permet.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5760,6 +5792,14 @@
     <message>
         <source>Change the buffer</source>
         <translation>Modifier la distance</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an obstacle</source>
+        <translation>Modifier le débord d&apos;un obstacle</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an edge</source>
+        <translation>Modifier le débord d&apos;un côté</translation>
     </message>
     <message>
         <source>Draw a hole</source>

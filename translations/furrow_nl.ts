@@ -823,6 +823,10 @@
         <translation>Afstand</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Overhang</translation>
+    </message>
+    <message>
         <source>Area</source>
         <translation>Oppervlakte</translation>
     </message>
@@ -2347,6 +2351,10 @@
         <translation>Marge</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Overhang</translation>
+    </message>
+    <message>
         <source>Most covered</source>
         <translation>Meeste bewerkt</translation>
     </message>
@@ -3107,6 +3115,10 @@
         <translation>Wat alles tot de perceelsgrens houdt; auto is de nauwkeurigheid van de perceelsgrens.</translation>
     </message>
     <message>
+        <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
+        <translation>Hoe ver het werktuig over de perceelsgrens en obstakels mag staan, met de secties daar uitgeschakeld; de trekker en alle wielen blijven binnen.</translation>
+    </message>
+    <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
         <translation>Wat op een vierkante meter verdeeld of geoogst wordt, in dezelfde eenheid.</translation>
     </message>
@@ -3535,6 +3547,10 @@
         <translation>geef een afstand van 0 m of meer</translation>
     </message>
     <message>
+        <source>give an overhang of 0 to 100 m</source>
+        <translation>geef een overhang van 0 tot 100 m</translation>
+    </message>
+    <message>
         <source>give a curve that does not, or plan its parts apart</source>
         <translation>geef een curve die dat niet doet, of plan de delen apart</translation>
     </message>
@@ -3845,6 +3861,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>de afstand is geen lengte</translation>
+    </message>
+    <message>
+        <source>its overhang is not a length from 0 to 100 m</source>
+        <translation>de overhang is geen lengte van 0 tot 100 m</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
@@ -4273,6 +4293,14 @@
     <message>
         <source>the headland of edge %1</source>
         <translation>de kopakker langs zijde %1</translation>
+    </message>
+    <message>
+        <source>the overhang of edge %1</source>
+        <translation>de overhang van zijde %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>zijde %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>
@@ -4988,6 +5016,10 @@
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 kan deze machine niet bereiken; het grootste stuk, %2, ligt hier.</translation>
+    </message>
+    <message>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
+        <translation>Het werktuig staat tot %1 m over de rand van het perceel of een obstakel, zoals de overhang toestaat.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5760,6 +5792,14 @@
     <message>
         <source>Change the buffer</source>
         <translation>Afstand wijzigen</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an obstacle</source>
+        <translation>Overhang van een obstakel wijzigen</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an edge</source>
+        <translation>Overhang van een zijde wijzigen</translation>
     </message>
     <message>
         <source>Draw a hole</source>

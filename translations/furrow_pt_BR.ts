@@ -823,6 +823,10 @@
         <translation>Distância</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Balanço</translation>
+    </message>
+    <message>
         <source>Area</source>
         <translation>Área</translation>
     </message>
@@ -2347,6 +2351,10 @@
         <translation>Margem</translation>
     </message>
     <message>
+        <source>Overhang</source>
+        <translation>Balanço</translation>
+    </message>
+    <message>
         <source>Most covered</source>
         <translation>Maior área</translation>
     </message>
@@ -3107,6 +3115,10 @@
         <translation>O que tudo mantém do limite; auto é a precisão do limite.</translation>
     </message>
     <message>
+        <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
+        <translation>Até onde o implemento pode ficar sobre o limite do talhão e os obstáculos, com as seções ali desligadas; o trator e todas as rodas ficam dentro.</translation>
+    </message>
+    <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
         <translation>O que se aplica ou se colhe em um metro quadrado, na mesma unidade.</translation>
     </message>
@@ -3535,6 +3547,10 @@
         <translation>dê uma distância de 0 m ou mais</translation>
     </message>
     <message>
+        <source>give an overhang of 0 to 100 m</source>
+        <translation>informe um balanço de 0 a 100 m</translation>
+    </message>
+    <message>
         <source>give a curve that does not, or plan its parts apart</source>
         <translation>dê uma curva que não se cruze ou planeje as partes separadamente</translation>
     </message>
@@ -3845,6 +3861,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>sua distância não é um comprimento</translation>
+    </message>
+    <message>
+        <source>its overhang is not a length from 0 to 100 m</source>
+        <translation>o balanço não é um comprimento de 0 a 100 m</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
@@ -4273,6 +4293,14 @@
     <message>
         <source>the headland of edge %1</source>
         <translation>a cabeceira do lado %1</translation>
+    </message>
+    <message>
+        <source>the overhang of edge %1</source>
+        <translation>o balanço do lado %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>lado %1</translation>
     </message>
     <message>
         <source>the key is there twice</source>
@@ -4988,6 +5016,10 @@
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
         <translation>%1 estão fora do alcance desta máquina; o maior pedaço, %2, fica aqui.</translation>
+    </message>
+    <message>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
+        <translation>O implemento fica sobre a borda do talhão ou um obstáculo, em até %1 m, como o balanço permite.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5760,6 +5792,14 @@
     <message>
         <source>Change the buffer</source>
         <translation>Alterar a distância</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an obstacle</source>
+        <translation>Alterar o balanço de um obstáculo</translation>
+    </message>
+    <message>
+        <source>Change the overhang of an edge</source>
+        <translation>Alterar o balanço de um lado</translation>
     </message>
     <message>
         <source>Draw a hole</source>

@@ -788,6 +788,18 @@
         <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
         <translation>A máquina tem de ficar parada %1 s para dobrar ou desdobrar a alfaia; em %2 não fica.</translation>
     </message>
+    <message>
+        <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
+        <translation>Até onde a alfaia pode ficar sobre o limite do talhão e os obstáculos, com as secções aí desligadas; o tractor e todas as rodas ficam dentro.</translation>
+    </message>
+    <message>
+        <source>give an overhang of 0 to 100 m</source>
+        <translation>indique um balanço de 0 a 100 m</translation>
+    </message>
+    <message>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
+        <translation>A alfaia fica sobre a borda do talhão ou um obstáculo, até %1 m, como o balanço permite.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

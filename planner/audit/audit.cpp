@@ -74,6 +74,8 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
     if (clearance) {
         report.outside = clearance->outside;
         report.minClearance = clearance->smallest;
+        report.overhangArea = clearance->overhangArea;
+        report.overhang = clearance->overhang;
     }
     addKinematics(report, kinematics, input.statedMotion);
     if (shape.trailingM) {

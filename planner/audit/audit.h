@@ -35,6 +35,9 @@ struct PlannedPass {
 struct AuditInput {
     MultiPolygon workable;  ///< to be worked: valid, not overlapping
     MultiPolygon drivable;  ///< may be driven on
+    /// Where the implement may stand, if not only there. Holds the drivable area. The tractor and all wheels
+    /// stay in that.
+    std::optional<MultiPolygon> overhung = {};
     std::vector<AuditGate> gates;
     /// Without a machine, the lane has the width of the planned passes and the footprint is not checked.
     std::optional<Machine> machine;
@@ -79,12 +82,15 @@ struct AuditReport {
     /// its total area.
     MultiPolygon leftAreas;
     Area left;
-    std::optional<Area> overlap;            ///< swept by at least two passes, inside the workable area
-    MultiPolygon overlapAreas;              ///< largest first
-    std::optional<Area> overlapHeadland;    ///< part of it between headland passes and swaths
-    std::optional<Area> outside;            ///< swept by the footprint outside drivable area and gates
-    std::optional<Length> minClearance;     ///< from the footprint to the edge of that area, negative outside
-    std::optional<Curvature> maxCurvature;  ///< re-derived from the points, absolute
+    std::optional<Area> overlap;          ///< swept by at least two passes, inside the workable area
+    MultiPolygon overlapAreas;            ///< largest first
+    std::optional<Area> overlapHeadland;  ///< part of it between headland passes and swaths
+    std::optional<Area> outside;          ///< swept by the footprint outside its area and gates
+    std::optional<Length> minClearance;   ///< from the footprint to the edge of that area, negative outside
+    /// Swept by the implement outside of drivable area and gates, and how far at most. 0 if it may not.
+    Area overhangArea;
+    Length overhang;
+    std::optional<Curvature> maxCurvature;          ///< re-derived from the points, absolute
     std::optional<Curvature> maxCurvatureMismatch;  ///< between that and the stated curvature
     /// Largest change of the re-derived curvature. At a step of curvature: the step divided by the sample
     /// spacing.

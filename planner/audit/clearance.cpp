@@ -1,6 +1,6 @@
 #include "planner/audit/clearance.h"
 
-#include "planner/audit/boundary_index.h"
+#include "planner/audit/clearance_meter.h"
 #include "planner/audit/convex.h"
 #include "planner/audit/depth_sweep.h"
 #include "planner/audit/footprint.h"
@@ -14,8 +14,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace furrow {
 
@@ -25,10 +28,6 @@ namespace {
 constexpr double kPieceM = 6.0;
 // Steps that turn are halved until their hulls reach at most this far beyond the swept area.
 constexpr double kFinestM = 0.002;
-// Longer than any machine.
-constexpr double kFarM = 1000.0;
-// An intrusion without any corner of the footprint outside. It is too small to measure, but exists.
-constexpr double kLeastIntrusionM = 1e-3;
 
 /// A rectangle from its middle, its direction and half its sizes.
 Ring rectangle(Point middle, Point nose, double halfLengthM, double halfWidthM) {
@@ -36,165 +35,6 @@ Ring rectangle(Point middle, Point nose, double halfLengthM, double halfWidthM) 
     const Point left = halfWidthM * Point{-nose.y, nose.x};
     return {middle - along - left, middle + along - left, middle + along + left, middle - along + left};
 }
-
-Bounds grown(const Ring& ring, double by) {
-    Bounds box{.min = ring.front(), .max = ring.front()};
-    for (const Point& point : ring) {
-        box.min = {std::min(box.min.x, point.x), std::min(box.min.y, point.y)};
-        box.max = {std::max(box.max.x, point.x), std::max(box.max.y, point.y)};
-    }
-    return {.min = box.min - Point{by, by}, .max = box.max + Point{by, by}};
-}
-
-struct Nearest {
-    double distance;
-    Point place;  ///< on the hull's side
-};
-
-/// Lowers `nearest` to the distance from a hull to an edge that it does not cross, if that is less.
-void lower(Nearest& nearest, const Ring& hull, const Edge& edge) {
-    double square = nearest.distance * nearest.distance;
-    const double before = square;
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        if (const double away = squaredDistanceToSegment(hull[i], edge); away < square) {
-            square = away;
-            nearest.place = hull[i];
-        }
-        const Edge side{hull[i], hull[(i + 1) % hull.size()]};
-        for (const Point& end : {edge.from, edge.to}) {
-            if (const double away = squaredDistanceToSegment(end, side); away < square) {
-                square = away;
-                nearest.place = end;
-            }
-        }
-    }
-    if (square < before) {
-        nearest.distance = std::sqrt(square);
-    }
-}
-
-class ClearanceMeter {
-public:
-    ClearanceMeter(const MultiPolygon& area, const MultiPolygon& land) : edges_{area}, land_{land} {}
-
-    /// Whether everything within a distance of a place is inside.
-    bool isFree(Point middle, double radius) const { return edges_.containsDisc(middle, radius); }
-
-    /// Whether everything within a distance of a place is outside.
-    bool isBeyond(Point middle, double radius) const {
-        return !edges_.contains(middle) && edges_.distance(middle) > radius;
-    }
-
-    /// Lowers `found` to the clearance of this convex piece if that is less and under `limit`. Returns
-    /// whether some of it may lie outside.
-    bool measure(const Ring& hull, double limit, SegmentClearance& found) const {
-        Nearest nearest{.distance = limit, .place = {}};
-        std::vector<Edge> intruding;
-        edges_.visitNear(grown(hull, limit), [&](const Edge& edge) {
-            if (partInside(hull, edge, kMeetM)) {
-                intruding.push_back(edge);
-            } else {
-                lower(nearest, hull, edge);
-            }
-        });
-        if (!intruding.empty() || !edges_.contains(hull.front())) {
-            // A corner on the edge itself may count as outside, but is not.
-            if (intruding.empty() && edges_.distance(hull.front()) < kMeetM) {
-                nearest = {.distance = 0.0, .place = hull.front()};
-            } else {
-                measureOutside(hull, intruding, found);
-                return true;
-            }
-        }
-        if (nearest.distance < std::min(limit, found.clearanceM)) {
-            found.clearanceM = nearest.distance;
-            found.place = nearest.place;
-        }
-        return false;
-    }
-
-private:
-    void measureOutside(const Ring& hull, const std::vector<Edge>& intruding, SegmentClearance& found) const {
-        double depth = kLeastIntrusionM;
-        Point place = hull.front();
-        bool anywhere = false;
-        const auto consider = [&](Point point) {
-            if (edges_.contains(point)) {
-                return;
-            }
-            const double away = edges_.distance(point);
-            if (!anywhere || away > depth) {
-                depth = std::max(away, anywhere ? depth : 0.0);
-                place = point;
-                anywhere = true;
-            }
-        };
-        std::ranges::for_each(hull, consider);
-        // A side that crosses an area outside is deepest in it between two crossings.
-        for (std::size_t i = 0; i < hull.size(); ++i) {
-            const Edge side{hull[i], hull[(i + 1) % hull.size()]};
-            const Point along = side.to - side.from;
-            std::vector<double> crossings;
-            for (const Edge& edge : intruding) {
-                const Point across = edge.to - edge.from;
-                const double turn = cross(along, across);
-                if (turn != 0.0) {
-                    crossings.push_back(std::clamp(cross(edge.from - side.from, across) / turn, 0.0, 1.0));
-                }
-            }
-            std::ranges::sort(crossings);
-            for (std::size_t k = 1; k < crossings.size(); ++k) {
-                consider(side.from + 0.5 * (crossings[k - 1] + crossings[k]) * along);
-            }
-        }
-        // A small thing between the wheels: its middle lies in it, unless it is bent. A thing that reaches in
-        // from a side: the place between an edge and the next thing across it lies in it.
-        Point sum;
-        double inside = 0.0;
-        for (const Edge& edge : intruding) {
-            if (const auto part = partInside(hull, edge, kMeetM)) {
-                const Point middle = edge.from + 0.5 * (part->first + part->second) * (edge.to - edge.from);
-                sum = sum + middle;
-                inside += 1.0;
-                const Point along = (1.0 / lengthOf(edge.to - edge.from)) * (edge.to - edge.from);
-                consider(middleAcross(hull, intruding, middle, {along.y, -along.x}));
-                consider(middleAcross(hull, intruding, middle, {-along.y, along.x}));
-            }
-        }
-        if (inside > 0.0) {
-            consider((1.0 / inside) * sum);
-            if (!anywhere) {
-                place = (1.0 / inside) * sum;
-            }
-        }
-        if (-depth < found.clearanceM) {
-            found.clearanceM = -depth;
-            found.place = place;
-            found.beyondLand = !land_.contains(place);
-        }
-    }
-
-    /// Half-way from a place in a convex piece in a direction: to the end of the piece, or to the first edge
-    /// before it.
-    static Point middleAcross(const Ring& hull, const std::vector<Edge>& edges, Point from, Point way) {
-        const Edge ray{from, from + kFarM * way};
-        const auto within = partInside(hull, ray);
-        double endM = within ? kFarM * within->second : 0.0;
-        for (const Edge& edge : edges) {
-            const Point along = edge.to - edge.from;
-            const double turn = cross(way, along);
-            const double m = cross(edge.from - from, along) / turn;
-            const double share = cross(edge.from - from, way) / turn;
-            if (turn != 0.0 && m > kMeetM && share >= 0.0 && share <= 1.0) {
-                endM = std::min(endM, m);
-            }
-        }
-        return from + 0.5 * endM * way;
-    }
-
-    BoundaryIndex edges_;
-    BoundaryIndex land_;
-};
 
 /// The place of a part.
 struct Placed {
@@ -269,22 +109,27 @@ private:
     std::atomic<double> valueM_;
 };
 
+/// The parts of the machine that are moved, and what each keeps clear of.
+struct MovedPart {
+    const FootprintPart& part;
+    const ClearanceMeter& meter;
+    bool isTractor = false;  ///< carried by it
+    std::size_t group = 0;   ///< of its suspects
+};
+
 /// Moves the parts of the machine along one segment.
 class SegmentSweep {
 public:
-    SegmentSweep(const Footprint& footprint, const ClearanceMeter& meter, SmallestClearance& smallest)
-        : footprint_{footprint}, meter_{meter}, smallest_{smallest} {}
+    explicit SegmentSweep(SmallestClearance& smallest) : smallest_{smallest} {}
 
     /// Ends early, with a partial result, if the job is stopped.
-    SegmentClearance run(const SegmentMotion& motion, const FootprintPart& implement, const JobContext& job) {
+    SegmentClearance run(const SegmentMotion& motion, std::span<const MovedPart> parts,
+                         const JobContext& job) {
         for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
             for (std::size_t i = 1; i < states->size() && !job.stopRequested(); ++i) {
-                const MotionState& a = (*states)[i - 1];
-                const MotionState& b = (*states)[i];
-                move(footprint_.tractor, placed(footprint_.tractor, a.position, a.nose),
-                     placed(footprint_.tractor, b.position, b.nose));
-                move(implement, placed(implement, a.implement, a.implementNose),
-                     placed(implement, b.implement, b.implementNose));
+                for (const MovedPart& part : parts) {
+                    move(part, placeOf(part, (*states)[i - 1]), placeOf(part, (*states)[i]));
+                }
             }
         }
         return std::move(found_);
@@ -293,34 +138,36 @@ public:
 private:
     /// A move from one place to the next. The part stays in a disc. If the disc is free by more than the
     /// least known clearance of the path, the move changes nothing. Moves outside always count.
-    void move(const FootprintPart& part, const Placed& a, const Placed& b) {
+    void move(const MovedPart& moved, const Placed& a, const Placed& b) {
+        const FootprintPart& part = moved.part;
+        const ClearanceMeter& meter = moved.meter;
         const double way = lengthOf(b.middle - a.middle);
         const Point middle = 0.5 * (a.middle + b.middle);
         // A half of a move may bulge out of its hull by the bridged distance. Nearer moves are always looked
         // at, so that the area outside does not depend on which thread found the least clearance first.
         const double bridged = bridgedBy(part, a, b);
         const double limit = std::max(bridged, std::min(found_.clearanceM, smallest_.get()));
-        if (meter_.isFree(middle, 0.5 * way + part.radius() + limit)) {
+        if (meter.isFree(middle, 0.5 * way + part.radius() + limit)) {
             return;
         }
         // A part of the path that is nowhere near the field stays one piece, however long.
-        if (way > kPieceM && a.nose == b.nose && !meter_.isBeyond(middle, 0.5 * way + part.radius())) {
+        if (way > kPieceM && a.nose == b.nose && !meter.isBeyond(middle, 0.5 * way + part.radius())) {
             const Placed between{middle, a.nose};
-            move(part, a, between);
-            move(part, between, b);
+            move(moved, a, between);
+            move(moved, between, b);
             return;
         }
         Ring hull = hullOf(part, a, b);
         SegmentClearance step;
-        const bool mayBeOutside = meter_.measure(hull, limit, step);
+        const bool mayBeOutside = meter.measure(hull, limit, step);
         // In a turn, a hull also covers places that the side of the part goes round. This matters for the
         // decision between inside and outside, and for the least clearance. A part farther outside stays
         // outside.
         const bool decides = mayBeOutside ? -step.clearanceM < bridged : step.clearanceM < limit;
         if (decides && bridged > kFinestM) {
             const Placed between = halfWay(a, b);
-            move(part, a, between);
-            move(part, between, b);
+            move(moved, a, between);
+            move(moved, between, b);
             return;
         }
         if (step.clearanceM < found_.clearanceM) {
@@ -329,20 +176,22 @@ private:
             found_.beyondLand = step.beyondLand;
         }
         if (mayBeOutside) {
-            found_.suspects[&part == &footprint_.tractor ? 0 : 1].push_back(std::move(hull));
+            found_.suspects[moved.group].push_back(std::move(hull));
         }
         smallest_.lowerTo(found_.clearanceM);
     }
 
-    const Footprint& footprint_;
-    const ClearanceMeter& meter_;
+    static Placed placeOf(const MovedPart& moved, const MotionState& state) {
+        return moved.isTractor ? placed(moved.part, state.position, state.nose)
+                               : placed(moved.part, state.implement, state.implementNose);
+    }
+
     SmallestClearance& smallest_;
     SegmentClearance found_;
 };
 
-/// The drivable area with its gates open.
-Result<MultiPolygon> withGates(const AuditInput& input, const JobContext& job) {
-    MultiPolygon open = input.drivable;
+/// An area with the gates open.
+Result<MultiPolygon> withGates(const AuditInput& input, MultiPolygon open, const JobContext& job) {
     const MultiPolygon discs = gateDiscs(input.gates);
     if (discs.empty()) {
         return open;
@@ -351,14 +200,18 @@ Result<MultiPolygon> withGates(const AuditInput& input, const JobContext& job) {
     return unionOf(open, job, kSnapGrid);
 }
 
-enum Layer : std::size_t { kOpen, kFootprint };
+// The implement has layers of its own where it may stand over more than the rest.
+enum Layer : std::size_t { kOpen, kFootprint, kOpenForImplement, kImplement };
 
 std::uint32_t isSwept(const Depths& depths) {
     return depths[kFootprint] > 0 ? 1 : 0;
 }
 
 std::uint32_t isSweptOutside(const Depths& depths) {
-    return depths[kFootprint] > 0 && depths[kOpen] <= 0 ? 1 : 0;
+    return (depths[kFootprint] > 0 && depths[kOpen] <= 0) ||
+                   (depths[kImplement] > 0 && depths[kOpenForImplement] <= 0)
+               ? 1
+               : 0;
 }
 
 Result<MultiPolygon> outlineOf(const LayeredPolygons& layers, Point along, const JobContext& job) {
@@ -369,10 +222,12 @@ Result<MultiPolygon> outlineOf(const LayeredPolygons& layers, Point along, const
 /// The outline of the area that the suspects of one segment sweep. Each suspect moves on by a few centimetres
 /// only. Without the part that it shares with the one before, little overlap remains. A group of 16 soon
 /// becomes a polygon with few corners.
-Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, const JobContext& job) {
+/// @param groups  of the suspects
+Result<MultiPolygon> outlineOf(std::span<const std::vector<Ring>> groups, Point along,
+                               const JobContext& job) {
     constexpr std::size_t kAtATime = 16;
     LayeredPolygons outlines;
-    for (const std::vector<Ring>& hulls : segment.suspects) {
+    for (const std::vector<Ring>& hulls : groups) {
         for (std::size_t first = 0; first < hulls.size(); first += kAtATime) {
             LayeredPolygons layers;
             layers.add(kFootprint, hulls[first]);
@@ -391,45 +246,66 @@ Result<MultiPolygon> outlineOf(const SegmentClearance& segment, Point along, con
     return outlineOf(outlines, along, job);
 }
 
+/// Areas with gates open, and the index of each.
+struct OpenLand {
+    explicit OpenLand(MultiPolygon area) : open{std::move(area)}, meter{open, withoutHoles(open)} {}
+
+    MultiPolygon open;
+    ClearanceMeter meter;
+};
+
 /// The part of the area swept by suspects that lies outside.
-Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open, Point along,
-                         const JobContext& job) {
-    std::vector<const SegmentClearance*> suspects;
+/// @param forImplement  its own area; null if it is the same
+Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open,
+                         const MultiPolygon* forImplement, Point along, const JobContext& job) {
+    using Groups = std::span<const std::vector<Ring>>;
+    std::vector<std::pair<Layer, Groups>> suspects;
     for (const SegmentClearance& segment : segments) {
-        if (segment.isSuspect()) {
-            suspects.push_back(&segment);
+        const Groups all{segment.suspects};
+        if (forImplement == nullptr) {
+            if (segment.isSuspect()) {
+                suspects.emplace_back(kFootprint, all);
+            }
+            continue;
+        }
+        for (const auto& [layer, group] :
+             {std::pair{kFootprint, all.first(1)}, std::pair{kImplement, all.last(1)}}) {
+            if (!group.front().empty()) {
+                suspects.emplace_back(layer, group);
+            }
         }
     }
     if (suspects.empty()) {
         return Area{};
     }
     const auto outlines = parallelMap<std::optional<Result<MultiPolygon>>>(
-        suspects.size(), [&](std::size_t i) { return outlineOf(*suspects[i], along, job); }, job);
+        suspects.size(), [&](std::size_t i) { return outlineOf(suspects[i].second, along, job); }, job);
     if (!outlines) {
         return std::unexpected(outlines.error());
     }
     LayeredPolygons layers;
     layers.add(kOpen, open);
-    for (const auto& outline : *outlines) {
-        if (!*outline) {
-            return std::unexpected(outline->error());
+    if (forImplement != nullptr) {
+        layers.add(kOpenForImplement, *forImplement);
+    }
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+        const Result<MultiPolygon>& outline = *(*outlines)[i];
+        if (!outline) {
+            return std::unexpected(outline.error());
         }
-        layers.add(kFootprint, **outline);
+        layers.add(suspects[i].first, *outline);
     }
     return measureRegions(layers, along, {.at = isSweptOutside, .count = 1}, job)
         .transform([](const std::vector<MeasuredRegion>& regions) { return regions.front().area; });
 }
 
-}  // namespace
+/// The parts that are moved along a segment.
+using PartsOf = std::function<std::vector<MovedPart>(std::size_t segment)>;
 
-Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
-                                         const JobContext& job) {
-    const auto open = withGates(input, job);
-    if (!open) {
-        return std::unexpected(open.error());
-    }
-    const ClearanceMeter meter{*open, withoutHoles(*open)};
-    const Footprint footprint = footprintOf(*input.machine);
+/// Clearance and area outside of these parts.
+Result<ClearanceReport> clearanceOf(const std::vector<SegmentMotion>& motions, const PartsOf& parts,
+                                    const MultiPolygon& open, const MultiPolygon* forImplement,
+                                    const JobContext& job) {
     ClearanceReport report;
     // Most plans come near the edge somewhere. Only if no part does, the search goes farther.
     double begun = 0.0;
@@ -441,13 +317,7 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
         SmallestClearance smallest{farthest};
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
-            [&](std::size_t i) {
-                const FootprintPart& implement = input.segments[i].implementDown     ? footprint.lowered
-                                                 : isDrivenFolded(input.segments, i) ? footprint.folded
-                                                                                     : footprint.raised;
-                return SegmentSweep{footprint, meter, smallest}.run(motions[i], implement, look);
-            },
-            look);
+            [&](std::size_t i) { return SegmentSweep{smallest}.run(motions[i], parts(i), look); }, look);
         if (!segments) {
             return std::unexpected(segments.error());
         }
@@ -457,11 +327,71 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
             break;
         }
     }
-    const auto outside = areaOutside(report.segments, *open, mainDirection(motions), job.part(0.9, 1.0));
+    const auto outside =
+        areaOutside(report.segments, open, forImplement, mainDirection(motions), job.part(0.9, 1.0));
     if (!outside) {
         return std::unexpected(outside.error());
     }
     report.outside = *outside;
+    return report;
+}
+
+/// What the implement sweeps outside of the drivable area, whether it may or not.
+Result<void> addOverhang(const std::vector<SegmentMotion>& motions, const PartsOf& implement,
+                         const OpenLand& drivable, const JobContext& job, ClearanceReport& report) {
+    return clearanceOf(motions, implement, drivable.open, nullptr, job)
+        .transform([&](const ClearanceReport& over) {
+            report.overhangArea = over.outside;
+            for (const SegmentClearance& segment : over.segments) {
+                if (metres(-segment.clearanceM) > report.overhang) {
+                    report.overhang = metres(-segment.clearanceM);
+                    report.overhangPlace = segment.place;
+                }
+            }
+        });
+}
+
+}  // namespace
+
+Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
+                                         const JobContext& job) {
+    auto open = withGates(input, input.drivable, job);
+    if (!open) {
+        return std::unexpected(open.error());
+    }
+    const OpenLand drivable{*std::move(open)};
+    std::optional<OpenLand> overhung;
+    if (input.overhung) {
+        auto wider = withGates(input, *input.overhung, job);
+        if (!wider) {
+            return std::unexpected(wider.error());
+        }
+        overhung.emplace(*std::move(wider));
+    }
+    const Footprint footprint = footprintOf(*input.machine);
+    const bool isTrailed = input.machine->spec().implement.mounting == Mounting::Trailed;
+    const auto implementAt = [&](std::size_t i, const OpenLand& land) -> MovedPart {
+        const FootprintPart& part = input.segments[i].implementDown     ? footprint.lowered
+                                    : isDrivenFolded(input.segments, i) ? footprint.folded
+                                                                        : footprint.raised;
+        return {.part = part, .meter = land.meter, .group = 1};
+    };
+    const auto all = [&](std::size_t i) {
+        std::vector<MovedPart> parts{{.part = footprint.tractor, .meter = drivable.meter, .isTractor = true}};
+        if (overhung && isTrailed) {
+            parts.push_back({.part = footprint.wheels, .meter = drivable.meter});
+        }
+        parts.push_back(implementAt(i, overhung ? *overhung : drivable));
+        return parts;
+    };
+    auto report = clearanceOf(motions, all, drivable.open, overhung ? &overhung->open : nullptr,
+                              overhung ? job.part(0.0, 0.6) : job);
+    if (report && overhung) {
+        const auto implement = [&](std::size_t i) { return std::vector{implementAt(i, drivable)}; };
+        if (auto added = addOverhang(motions, implement, drivable, job.part(0.6, 1.0), *report); !added) {
+            return std::unexpected(added.error());
+        }
+    }
     return report;
 }
 

@@ -122,6 +122,7 @@ private:
                     "Plan the sides of the obstacle apart.", i);
             }
         }
+        noteOverhang();
         if (allowed.count > 0) {
             add(Severity::Note, FindingKind::Outside, allowed.place,
                 allowed.count == 1
@@ -132,6 +133,18 @@ private:
                           "{} swaths and turns leave the field or cross an obstacle, by up to {:.2f} m, as this "
                           "plan allows.",
                           allowed.count, allowed.worst),
+                "");
+        }
+    }
+
+    void noteOverhang() {
+        const ClearanceReport& clearance = *measured_.clearance;
+        if (clearance.overhang.si() > kOutsideM) {
+            add(Severity::Note, FindingKind::Overhang, clearance.overhangPlace,
+                message(
+                    "The implement stands over the edge of the field or an obstacle, by up to {:.2f} m, as "
+                    "the overhang allows.",
+                    clearance.overhang.si()),
                 "");
         }
     }

@@ -1,5 +1,7 @@
 #include "planner/audit/footprint.h"
 
+#include <algorithm>
+
 namespace furrow {
 
 Footprint footprintOf(const Machine& machine) {
@@ -13,7 +15,9 @@ Footprint footprintOf(const Machine& machine) {
             .raised = {.halfLengthM = halfLength, .halfWidthM = 0.5 * raised.si()},
             .lowered = {.halfLengthM = halfLength, .halfWidthM = 0.5 * implement.operatingWidth.si()},
             .folded = {.halfLengthM = halfLength,
-                       .halfWidthM = 0.5 * implement.transportWidth.value_or(raised).si()}};
+                       .halfWidthM = 0.5 * implement.transportWidth.value_or(raised).si()},
+            .wheels = {.halfLengthM = halfLength,
+                       .halfWidthM = 0.5 * std::min({tractor.width, raised, implement.operatingWidth}).si()}};
 }
 
 }  // namespace furrow

@@ -21,6 +21,7 @@ struct Footprint {
     FootprintPart raised;
     FootprintPart lowered;
     FootprintPart folded;  ///< for transport
+    FootprintPart wheels;  ///< of a trailed implement: no broader than the tractor
 };
 
 Footprint footprintOf(const Machine& machine);

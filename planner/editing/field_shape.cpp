@@ -65,9 +65,9 @@ const Outline* FieldShape::find(const OutlineId& id) const {
 
 namespace {
 
-/// Headlands of edges stay with their edges when points are added or removed. Both halves of a divided edge
-/// keep its headland.
-void renumber(std::vector<EdgeWidth>& headlands, std::size_t part, std::size_t ring, const GeoRing& before,
+/// Widths of edges stay with their edges when points are added or removed. Both halves of a divided edge keep
+/// its width.
+void renumber(std::vector<EdgeWidth>& widths, std::size_t part, std::size_t ring, const GeoRing& before,
               const GeoRing& after) {
     if (before.size() == after.size()) {
         return;
@@ -76,23 +76,31 @@ void renumber(std::vector<EdgeWidth>& headlands, std::size_t part, std::size_t r
     const bool grows = after.size() > before.size();
     const std::size_t by = grows ? after.size() - before.size() : before.size() - after.size();
     std::vector<EdgeWidth> kept;
-    for (EdgeWidth headland : headlands) {
-        const bool isOther = headland.part != part || headland.ring != ring || headland.edge + 1 < same;
-        const std::size_t edge = headland.edge;
+    for (EdgeWidth width : widths) {
+        const bool isOther = width.part != part || width.ring != ring || width.edge + 1 < same;
+        const std::size_t edge = width.edge;
         if (isOther) {
-            kept.push_back(headland);
+            kept.push_back(width);
         } else if (grows) {
             // The edge before the first new point was divided.
             for (std::size_t i = edge + 1 == same ? edge : edge + by; i <= edge + by; ++i) {
-                headland.edge = i;
-                kept.push_back(headland);
+                width.edge = i;
+                kept.push_back(width);
             }
         } else if (edge < same || edge >= same + by) {
-            headland.edge = edge < same ? edge : edge - by;
-            kept.push_back(headland);
+            width.edge = edge < same ? edge : edge - by;
+            kept.push_back(width);
         }
     }
-    headlands = std::move(kept);
+    widths = std::move(kept);
+}
+
+/// The same for all that edges may have.
+void renumber(FieldSource& source, std::size_t part, std::size_t ring, const GeoRing& before,
+              const GeoRing& after) {
+    for (const EdgeWidths widths : {&FieldSource::edgeHeadlands, &FieldSource::edgeOverhangs}) {
+        renumber(source.*widths, part, ring, before, after);
+    }
 }
 
 /// The number of its ring: 0 for the outer one.
@@ -102,23 +110,26 @@ std::size_t ringOf(const OutlineId& id) {
 
 }  // namespace
 
-const EdgeWidth* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge) {
+const EdgeWidth* findEdgeWidth(const FieldSource& source, EdgeWidths widths, const OutlineId& id,
+                               std::size_t edge) {
     if (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole) {
         return nullptr;
     }
-    const auto found = std::ranges::find_if(source.edgeHeadlands, [&](const EdgeWidth& headland) {
-        return headland.part == id.item && headland.ring == ringOf(id) && headland.edge == edge;
+    const std::vector<EdgeWidth>& all = source.*widths;
+    const auto found = std::ranges::find_if(all, [&](const EdgeWidth& own) {
+        return own.part == id.item && own.ring == ringOf(id) && own.edge == edge;
     });
-    return found == source.edgeHeadlands.end() ? nullptr : &*found;
+    return found == all.end() ? nullptr : &*found;
 }
 
-FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge,
-                             std::optional<Length> width) {
-    if (const EdgeWidth* own = findEdgeHeadland(source, id, edge)) {
-        source.edgeHeadlands.erase(source.edgeHeadlands.begin() + (own - source.edgeHeadlands.data()));
+FieldSource withEdgeWidth(FieldSource source, EdgeWidths widths, const OutlineId& id, std::size_t edge,
+                          std::optional<Length> width) {
+    std::vector<EdgeWidth>& all = source.*widths;
+    if (const EdgeWidth* own = findEdgeWidth(source, widths, id, edge)) {
+        all.erase(all.begin() + (own - all.data()));
     }
     if (width && (id.kind == OutlineKind::Boundary || id.kind == OutlineKind::Hole)) {
-        source.edgeHeadlands.push_back({.part = id.item, .ring = ringOf(id), .edge = edge, .width = *width});
+        all.push_back({.part = id.item, .ring = ringOf(id), .edge = edge, .width = *width});
     }
     return source;
 }
@@ -127,14 +138,14 @@ FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places)
     switch (id.kind) {
         case OutlineKind::Boundary:
             if (id.item < source.parts.size()) {
-                renumber(source.edgeHeadlands, id.item, ringOf(id), source.parts[id.item].outer, places);
+                renumber(source, id.item, ringOf(id), source.parts[id.item].outer, places);
                 source.parts[id.item].outer = std::move(places);
             }
             break;
         case OutlineKind::Hole:
             if (id.item < source.parts.size() && id.hole < source.parts[id.item].holes.size()) {
                 GeoRing& hole = source.parts[id.item].holes[id.hole];
-                renumber(source.edgeHeadlands, id.item, ringOf(id), hole, places);
+                renumber(source, id.item, ringOf(id), hole, places);
                 hole = std::move(places);
             }
             break;

@@ -59,11 +59,15 @@ struct FieldShape {
     const Outline* find(const OutlineId& id) const;
 };
 
-/// The own headland of an edge of the boundary or of a hole. Null for other outlines.
-const EdgeWidth* findEdgeHeadland(const FieldSource& source, const OutlineId& id, std::size_t edge);
-/// The source with a headland of this width at the edge. Without a width, the edge is as wide as elsewhere.
-FieldSource withEdgeHeadland(FieldSource source, const OutlineId& id, std::size_t edge,
-                             std::optional<Length> width);
+/// What an edge may have of its own: FieldSource::edgeHeadlands or FieldSource::edgeOverhangs.
+using EdgeWidths = std::vector<EdgeWidth> FieldSource::*;
+
+/// The own width of an edge of the boundary or of a hole. Null if it has none, and for other outlines.
+const EdgeWidth* findEdgeWidth(const FieldSource& source, EdgeWidths widths, const OutlineId& id,
+                               std::size_t edge);
+/// The source with this width at the edge. Without a width, the edge is as elsewhere.
+FieldSource withEdgeWidth(FieldSource source, EdgeWidths widths, const OutlineId& id, std::size_t edge,
+                          std::optional<Length> width);
 
 /// The source with other points in one outline. Drawn lines are not part of it and leave it unchanged.
 FieldSource withOutline(FieldSource source, const OutlineId& id, GeoRing places);

@@ -32,6 +32,10 @@ std::string textOf(const FieldSource& field) {
     }
     for (const Obstacle& obstacle : field.obstacles) {
         text += std::format("\nobstacle {} {} {} ", obstacle.name, obstacle.passable, obstacle.buffer.si());
+        // Fields without overhangs keep the keys that they have in older batches.
+        if (obstacle.overhang != Length{}) {
+            text += std::format("overhang {} ", obstacle.overhang.si());
+        }
         add(text, obstacle.outline);
     }
     for (const Gate& gate : field.gates) {
@@ -40,6 +44,9 @@ std::string textOf(const FieldSource& field) {
     }
     for (const EdgeWidth& edge : field.edgeHeadlands) {
         text += std::format("\nedge {} {} {} {}", edge.part, edge.ring, edge.edge, edge.width.si());
+    }
+    for (const EdgeWidth& edge : field.edgeOverhangs) {
+        text += std::format("\nover {} {} {} {}", edge.part, edge.ring, edge.edge, edge.width.si());
     }
     return text;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace furrow {
 
@@ -26,16 +27,32 @@ MultiPolygon openGates(const Field& field) {
     return discs;
 }
 
-}  // namespace
-
-Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
-    auto area = margin > metres(0.0) ? eroded(field.drivable(), margin, kArcTolerance, job)
-                                     : Result<MultiPolygon>{field.drivable()};
+Result<MultiPolygon> within(const MultiPolygon& land, const Field& field, Length margin,
+                            const JobContext& job) {
+    auto area = margin > metres(0.0) ? eroded(land, margin, kArcTolerance, job) : Result<MultiPolygon>{land};
     if (!area || field.source().gates.empty()) {
         return area;
     }
     std::ranges::move(openGates(field), std::back_inserter(*area));
     return unionOf(*area, job);
+}
+
+}  // namespace
+
+Result<MultiPolygon> drivableArea(const Field& field, Length margin, const JobContext& job) {
+    return within(field.drivable(), field, margin, job);
+}
+
+Result<AllowedAreas> allowedAreas(const Field& field, const std::optional<MultiPolygon>& overhung,
+                                  Length margin, const JobContext& job) {
+    auto tractor = drivableArea(field, margin, job);
+    if (!tractor || !overhung) {
+        return std::move(tractor).transform(
+            [](MultiPolygon&& both) { return AllowedAreas{std::move(both)}; });
+    }
+    return within(*overhung, field, margin, job).transform([&](MultiPolygon&& implement) {
+        return AllowedAreas{*std::move(tractor), std::move(implement)};
+    });
 }
 
 }  // namespace furrow

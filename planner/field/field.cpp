@@ -2,6 +2,7 @@
 
 #include "planner/field/boundary_repair.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/segment.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,9 @@ namespace {
 constexpr double kLargestExtentM = 100e3;
 constexpr std::size_t kMostVertices = 1'000'000;
 constexpr Length kBufferTolerance = metres(0.01);
+constexpr Length kMostOverhang = metres(100.0);
+// Obstacles and repairs cut edges into parts. A part lies within this distance of its edge.
+constexpr double kSameLineM = 0.01;
 
 Error refused(const FieldSource& source, Message where, Message what, Message remedy,
               std::optional<GeoPoint> place = std::nullopt) {
@@ -58,13 +62,53 @@ Result<void> checkCoordinates(const FieldSource& source, const GeoPolygon& polyg
     return checked;
 }
 
-/// The ring of a headland. Null if there is no such ring.
-const GeoRing* ringOf(const FieldSource& source, const EdgeWidth& headland) {
-    if (headland.part >= source.parts.size() || headland.ring > source.parts[headland.part].holes.size()) {
+/// The ring of an edge. Null if there is no such ring.
+const GeoRing* ringOf(const FieldSource& source, const EdgeWidth& edge) {
+    if (edge.part >= source.parts.size() || edge.ring > source.parts[edge.part].holes.size()) {
         return nullptr;
     }
-    const GeoPolygon& part = source.parts[headland.part];
-    return headland.ring == 0 ? &part.outer : &part.holes[headland.ring - 1];
+    const GeoPolygon& part = source.parts[edge.part];
+    return edge.ring == 0 ? &part.outer : &part.holes[edge.ring - 1];
+}
+
+Result<void> checkHasEdge(const FieldSource& source, const EdgeWidth& edge, const Message& name) {
+    const GeoRing* const ring = ringOf(source, edge);
+    if (ring == nullptr || edge.edge >= ring->size()) {
+        return std::unexpected(refused(source, name, "the boundary has no such edge", "take it away"));
+    }
+    return {};
+}
+
+Result<void> checkOverhang(const FieldSource& source, Length overhang, const Message& name) {
+    if (!(overhang >= Length{} && overhang <= kMostOverhang)) {
+        return std::unexpected(refused(source, name, "its overhang is not a length from 0 to 100 m",
+                                       "give an overhang of 0 to 100 m"));
+    }
+    return {};
+}
+
+Result<void> checkEdges(const FieldSource& source) {
+    for (const EdgeWidth& headland : source.edgeHeadlands) {
+        const Message name = message("the headland of edge {}", headland.edge + 1);
+        if (!(headland.width >= metres(0.0)) || !std::isfinite(headland.width.si())) {
+            return std::unexpected(
+                refused(source, name, "its width is not a length", "give a width of 0 m or more"));
+        }
+        if (auto checked = checkHasEdge(source, headland, name); !checked) {
+            return checked;
+        }
+    }
+    for (const EdgeWidth& over : source.edgeOverhangs) {
+        const Message name = message("edge {}", over.edge + 1);
+        if (auto checked = checkOverhang(source, over.width, name); !checked) {
+            return checked;
+        }
+        if (auto checked = checkHasEdge(source, over, message("the overhang of edge {}", over.edge + 1));
+            !checked) {
+            return checked;
+        }
+    }
+    return {};
 }
 
 Result<void> checkSource(const FieldSource& source) {
@@ -88,6 +132,9 @@ Result<void> checkSource(const FieldSource& source) {
             return std::unexpected(
                 refused(source, name, "its buffer is not a length", "give a buffer of 0 m or more"));
         }
+        if (auto checked = checkOverhang(source, source.obstacles[i].overhang, name); !checked) {
+            return checked;
+        }
     }
     for (std::size_t i = 0; i < source.gates.size(); ++i) {
         if (auto checked =
@@ -100,16 +147,8 @@ Result<void> checkSource(const FieldSource& source) {
                                            "give a width of 0 m or more"));
         }
     }
-    for (const EdgeWidth& headland : source.edgeHeadlands) {
-        const Message name = message("the headland of edge {}", headland.edge + 1);
-        if (!(headland.width >= metres(0.0)) || !std::isfinite(headland.width.si())) {
-            return std::unexpected(
-                refused(source, name, "its width is not a length", "give a width of 0 m or more"));
-        }
-        const GeoRing* const ring = ringOf(source, headland);
-        if (ring == nullptr || headland.edge >= ring->size()) {
-            return std::unexpected(refused(source, name, "the boundary has no such edge", "take it away"));
-        }
+    if (auto checked = checkEdges(source); !checked) {
+        return checked;
     }
     if (!(source.boundaryAccuracy >= metres(0.0)) || !std::isfinite(source.boundaryAccuracy.si())) {
         return std::unexpected(
@@ -184,13 +223,14 @@ Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
     return {};
 }
 
-/// Edges with a given width of headland, in metres.
-std::vector<WideEdge> wideEdgesOf(const FieldSource& source, const LocalFrame& frame) {
+/// Edges with a given width, in metres.
+std::vector<WideEdge> wideEdgesOf(const std::vector<EdgeWidth>& given, const FieldSource& source,
+                                  const LocalFrame& frame) {
     std::vector<WideEdge> edges;
-    for (const EdgeWidth& headland : source.edgeHeadlands) {
-        const GeoRing& ring = *ringOf(source, headland);
-        edges.push_back({frame.toLocal(ring[headland.edge]),
-                         frame.toLocal(ring[(headland.edge + 1) % ring.size()]), headland.width});
+    for (const EdgeWidth& edge : given) {
+        const GeoRing& ring = *ringOf(source, edge);
+        edges.push_back(
+            {frame.toLocal(ring[edge.edge]), frame.toLocal(ring[(edge.edge + 1) % ring.size()]), edge.width});
     }
     return edges;
 }
@@ -224,7 +264,8 @@ Result<Field> Field::create(const FieldSource& source, const JobContext& job) {
     field.boundary_ = std::move(boundary->local);
     field.repairs_ = std::exchange(field.source_.repairs, {});
     std::ranges::move(boundary->repairs, std::back_inserter(field.repairs_));
-    field.edgeHeadlands_ = wideEdgesOf(source, *frame);
+    field.edgeHeadlands_ = wideEdgesOf(source.edgeHeadlands, source, *frame);
+    field.edgeOverhangs_ = wideEdgesOf(source.edgeOverhangs, source, *frame);
     field.workable_ = field.boundary_;
     field.drivable_ = field.boundary_;
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
@@ -283,7 +324,21 @@ Result<void> Field::leaveOut(const MultiPolygon& outline, const Obstacle& obstac
         }
         *land = std::move(*rest);
     }
+    if (!obstacle.passable) {
+        impassable_.push_back({*kept, obstacle.overhang});
+    }
     return {};
+}
+
+const WideEdge* edgeWith(std::span<const WideEdge> edges, Point from, Point to) {
+    const WideEdge* last = nullptr;
+    for (const WideEdge& edge : edges) {
+        if (distanceToSegment(from, edge.from, edge.to) < kSameLineM &&
+            distanceToSegment(to, edge.from, edge.to) < kSameLineM) {
+            last = &edge;
+        }
+    }
+    return last;
 }
 
 std::size_t Field::vertexCount() const {

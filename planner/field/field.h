@@ -5,6 +5,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Obstacle {
     GeoPolygon outline;
     bool passable = false;  ///< may be driven, not worked (a wet spot)
     Length buffer;          ///< kept free around it
-    /// How far the raised implement may stand over it, from its edge. The tractor and all wheels keep off.
+    /// How far the implement may stand over it, from the edge of what is kept free, its sections there
+    /// switched off. The tractor and all wheels keep off. 0 to 100 m.
     Length overhang;
 
     friend bool operator==(const Obstacle&, const Obstacle&) = default;
@@ -50,7 +52,8 @@ struct FieldSource {
     std::vector<Obstacle> obstacles;
     std::vector<Gate> gates;
     std::vector<EdgeWidth> edgeHeadlands;  ///< from the edge to the mainland
-    /// How far the raised implement may stand over an edge, outwards. The tractor and all wheels stay inside.
+    /// How far the implement may stand over an edge, outwards, its sections there switched off. The tractor
+    /// and all wheels stay inside. 0 to 100 m.
     std::vector<EdgeWidth> edgeOverhangs;
     Length boundaryAccuracy;
     std::vector<Note> repairs;  ///< repairs made while it was read
@@ -65,14 +68,25 @@ struct WideEdge {
     Length width;
 };
 
+/// The last of these edges that holds another one, which repairs or obstacles may have cut from it. Null if
+/// there is none.
+const WideEdge* edgeWith(std::span<const WideEdge> edges, Point from, Point to);
+
+/// An obstacle that may not be driven on, in metres.
+struct ImpassableObstacle {
+    MultiPolygon outline;  ///< with its buffer
+    Length overhang;       ///< of implements, from that outline inwards
+};
+
 /// A field that can be planned: boundaries valid, outer rings counter-clockwise, holes clockwise.
 /// Immutable; share it by pointer.
 class Field {
 public:
     /// Checks and repairs. Repaired, with a note: duplicate points, spikes, ring direction, rings that touch
     /// themselves, slivers. InputRefused, with the place: fewer than 3 different points, self-crossing,
-    /// coordinates that are not finite or outside WGS84, no area, over 100 km across, over a million points,
-    /// obstacles outside the field. Cost: O(n log n) for n points. Cancelled.
+    /// coordinates that are not finite or outside WGS84, widths or overhangs out of range, no area, over 100
+    /// km across, over a million points, obstacles outside the field. Cost: O(n log n) for n points.
+    /// Cancelled.
     static Result<Field> create(const FieldSource& source, const JobContext& job = {});
 
     const std::string& id() const { return source_.id; }
@@ -94,6 +108,10 @@ public:
     const MultiPolygon& passable() const { return passable_; }
     /// Edges with a given width of headland, as they were before repairs.
     const std::vector<WideEdge>& edgeHeadlands() const { return edgeHeadlands_; }
+    /// Edges that implements may stand over, as they were before repairs.
+    const std::vector<WideEdge>& edgeOverhangs() const { return edgeOverhangs_; }
+    /// In the order of the source.
+    const std::vector<ImpassableObstacle>& impassable() const { return impassable_; }
     /// The area of the boundary on the ellipsoid, without holes and obstacles.
     Area area() const { return area_; }
     std::size_t vertexCount() const;
@@ -112,6 +130,8 @@ private:
     MultiPolygon drivable_;
     MultiPolygon passable_;
     std::vector<WideEdge> edgeHeadlands_;
+    std::vector<WideEdge> edgeOverhangs_;
+    std::vector<ImpassableObstacle> impassable_;
     Area area_;
 };
 

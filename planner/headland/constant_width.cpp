@@ -15,7 +15,7 @@ namespace {
 constexpr Length kWorthTelling = metres(0.05);
 
 int passesForTurns(const HeadlandTask& task) {
-    return passesFor(roomForTurns(task.machine, task.turn, task.drawsOutEnds), task.machine);
+    return passesFor(roomForTurns(task.machine, task.turn, task.drawsOutEnds, task.overhang), task.machine);
 }
 
 Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) {

@@ -2,10 +2,10 @@
 
 #include "planner/geometry/segment.h"
 #include "planner/geometry/tolerances.h"
+#include "planner/turns/allowed_edges.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
 #include "planner/turns/dubins.h"
-#include "planner/turns/footprint_check.h"
 #include "planner/turns/reeds_shepp.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ struct Manoeuvre {
 };
 
 std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corner, CornerMethod method,
-                                   const BoundaryDistance& edge, const Rig& rig, CornerWays& ways,
+                                   const RigidRoom& working, const Rig& rig, CornerWays& ways,
                                    const JobContext& job) {
     const Machine& machine = rig.machine();
     const Pose entry = poseBefore(line, corner.firstPiece);
@@ -81,13 +81,12 @@ std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corne
     const double beyond =
         std::min(0.5 * width * std::tan(0.5 * std::abs(corner.turn.si())), kMostWidthsOnward * width);
     const double lead = -machine.spec().implement.offset.si();
-    const Ring working = machine.workingFootprint();
     const auto farthest = [&](const Pose& from, double sign, double wanted) {
         double best = 0.0;
         for (double m = kStepM; m <= wanted; m += kStepM) {
             const Pose pose{.position = from.position + sign * m * direction(from.heading.si()),
                             .heading = from.heading};
-            if (!isInside(pose, working, edge)) {
+            if (!working.isInside(pose)) {
                 break;
             }
             best = m;
@@ -179,7 +178,7 @@ Area uncutCorner(const RoundedCorner& corner, Length width) {
     return squareMetres((std::tan(0.5 * a) - 0.5 * a) * r * r);
 }
 
-std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const MultiPolygon& drivable,
+std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const AllowedAreas& drivable,
                                      const Machine& machine,
                                      const std::function<bool(const RoundedCorner&)>& wanted,
                                      CornerWays& ways, std::vector<RoundedCorner>& left,
@@ -192,13 +191,14 @@ std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, c
         left = std::move(corners);
         return stretches;
     }
-    const BoundaryDistance edge{drivable, machine.operatingWidth() + machine.spec().tractor.length};
+    const RigidRoom working{drivable, machine, machine.workingFootprint(),
+                            machine.operatingWidth() + machine.spec().tractor.length};
     const Rig rig{drivable, machine};
     std::size_t next = 0;
     const auto work = [&](const CurvePiece& piece) { stretches.back().line.pieces.push_back(piece); };
     for (const RoundedCorner& corner : corners) {
         const auto found = corner.firstPiece > 0 && wanted(corner)
-                               ? manoeuvre(line, corner, method, edge, rig, ways, job)
+                               ? manoeuvre(line, corner, method, working, rig, ways, job)
                                : std::nullopt;
         if (!found) {
             left.push_back(corner);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/field/allowed_areas.h"
 #include "planner/headland/headland.h"
 #include "planner/turns/rig.h"
 
@@ -48,7 +49,7 @@ enum class CornerMethod { Rounded, Loop, Reverse, Searched };
 /// @param wanted  whether to drive into a corner at all
 /// @param ways    of the same machine and drivable area
 /// @param left    corners that stayed rounded
-std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const MultiPolygon& drivable,
+std::vector<PassStretch> withCorners(const Curve& closed, CornerMethod method, const AllowedAreas& drivable,
                                      const Machine& machine,
                                      const std::function<bool(const RoundedCorner&)>& wanted,
                                      CornerWays& ways, std::vector<RoundedCorner>& left,

@@ -1,6 +1,7 @@
 #include "planner/headland/edge_following.h"
 
 #include "planner/geometry/segment.h"
+#include "planner/turns/trailer.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -34,19 +35,25 @@ constexpr double kCurvatureShare = 0.95;
 /// A corner of the footprint on the side of the edge, or the middle of that side.
 struct Feeler {
     Point at;
-    std::vector<double> outsideM;  ///< at every station, negative inside
+    bool mayOverhang = false;
+    std::vector<double> outsideM = {};  ///< at every station, negative inside
 };
 
-std::vector<Feeler> feelersOf(const Machine& machine) {
+std::vector<Feeler> feelersOf(const Machine& machine, bool overhangs) {
     std::vector<Feeler> feelers;
     double side = 0.0;
     for (const Point& corner : machine.workingFootprint()) {
         side = std::min(side, corner.y);
         if (corner.y < 0.0) {
-            feelers.push_back({.at = corner, .outsideM = {}});
+            feelers.push_back({.at = corner, .mayOverhang = overhangs});
         }
     }
-    feelers.push_back({.at = {0.0, side}, .outsideM = {}});
+    feelers.push_back({.at = {0.0, side}});
+    for (const Point& corner : overhangs ? tractorOutline(machine) : Ring{}) {
+        if (corner.y < 0.0) {
+            feelers.push_back({.at = corner});
+        }
+    }
     return feelers;
 }
 
@@ -128,16 +135,17 @@ private:
 /// The demands of tail and nose on neighbouring stations, and their least solution.
 class WayIn {
 public:
-    WayIn(std::vector<Station> stations, const BoundaryDistance& edges, const Machine& machine, Length beside)
+    WayIn(std::vector<Station> stations, const AllowedEdges& edges, const Machine& machine, Length beside)
         : stations_{std::move(stations)},
-          feelers_{feelersOf(machine)},
+          feelers_{feelersOf(machine, edges.hasOverhang())},
           sharpest_{kCurvatureShare / machine.minTurningRadius().si()} {
         for (const Point& corner : machine.workingFootprint()) {
             mostM_ = std::max(mostM_, norm(corner));
         }
         for (Feeler& feeler : feelers_) {
             for (const Station& station : stations_) {
-                feeler.outsideM.push_back(outsideM(feeler, station, edges, beside));
+                feeler.outsideM.push_back(outsideM(
+                    feeler, station, feeler.mayOverhang ? edges.implement() : edges.tractor(), beside));
             }
         }
         for (std::size_t i = 0; i < stations_.size(); ++i) {
@@ -146,7 +154,7 @@ public:
             stepM_.push_back(std::max(1e-3, distance(here.position, there.position)));
             bend_.push_back(wrappedAngle(there.heading - here.heading).si() / stepM_[i]);
             const bool staysPut = std::abs(bend_[i]) > kBentShare * sharpest_ || stations_[i].isLeftOut;
-            inM_.push_back(staysPut ? 0.0 : -edges.reachM());
+            inM_.push_back(staysPut ? 0.0 : -edges.tractor().reachM());
         }
         pending_ = NumberSet{stations_.size()};
     }
@@ -260,7 +268,7 @@ bool FollowingRules::leavesOut(Point place) const {
     return std::ranges::any_of(leftOut, [&](Point corner) { return distance(corner, place) < aroundM; });
 }
 
-Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine,
+Ring followingTheEdge(const Curve& line, const AllowedEdges& edges, const Machine& machine,
                       const FollowingRules& rules) {
     WayIn way{stationsOf(line, rules), edges, machine, rules.beside};
     way.solve();

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/machine/machine.h"
+#include "planner/turns/allowed_edges.h"
 
 #include <span>
 
@@ -27,9 +27,12 @@ struct FollowingRules {
 /// the edge is such a demand, too. In bends towards the edge both sides move in a little. The method is of
 /// first order: the caller corrects small remaining errors.
 ///
+/// The middle of the implement's side stays inside, since it is to work up to the edge; its corners may
+/// overhang.
+///
 /// @param edges  its range is larger than the swing of the footprint
 /// @return points no farther apart than 0.25 m. Cost: a few times corners of the footprint times points.
-Ring followingTheEdge(const Curve& line, const BoundaryDistance& edges, const Machine& machine,
+Ring followingTheEdge(const Curve& line, const AllowedEdges& edges, const Machine& machine,
                       const FollowingRules& rules);
 
 }  // namespace furrow

@@ -140,6 +140,7 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
     const BoundaryDistance edges{task.workable, metres(1e4)};
     Chosen chosen{.passes = {}, .left = LeftLand{task.left}};
     if (task.bends != nullptr) {
+        task.bends->forgetFailedPoses();
         if (auto done = chooseBends(finder, task, edges, chosen, job); !done) {
             return std::unexpected(done.error());
         }

@@ -92,7 +92,7 @@ FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access)
       bends_{FullLockBend{lowered, 1.0, kMostRounds, look_}, FullLockBend{lowered, -1.0, kMostRounds, look_}},
       radiusM_{lowered.machine().minTurningRadius().si()} {}
 
-Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Rig& lowered,
+Result<FullLockPasses> FullLockPasses::of(const AllowedAreas& areas, const Rig& lowered,
                                           PassAccessFinder access, const JobContext& job) {
     FullLockPasses passes{lowered, std::move(access)};
     double implementM = passes.radiusM_;
@@ -102,10 +102,11 @@ Result<FullLockPasses> FullLockPasses::of(const MultiPolygon& drivable, const Ri
         implementM = std::sqrt(std::max(0.0, hitchM * hitchM - trailer->trailingM * trailer->trailingM));
     }
     passes.outerM_ = implementM + 0.5 * lowered.machine().workingFootprintWidth().si();
-    return eroded(drivable, metres(passes.outerM_), kArcTolerance, job).transform([&](MultiPolygon middles) {
-        passes.middles_ = std::move(middles);
-        return std::move(passes);
-    });
+    return eroded(areas.implement(), metres(passes.outerM_), kArcTolerance, job)
+        .transform([&](MultiPolygon middles) {
+            passes.middles_ = std::move(middles);
+            return std::move(passes);
+        });
 }
 
 std::optional<Point> FullLockPasses::nearestMiddle(Point place) const {

@@ -31,11 +31,11 @@ struct FailedPoses {
 /// the implement describes the sharpest edge that they can work.
 class FullLockPasses {
 public:
-    /// @param drivable  area in which `lowered` may be
+    /// @param areas    of `lowered`
     /// @param lowered  outlives this
     /// Cancelled.
-    static Result<FullLockPasses> of(const MultiPolygon& drivable, const Rig& lowered,
-                                     PassAccessFinder access, const JobContext& job);
+    static Result<FullLockPasses> of(const AllowedAreas& areas, const Rig& lowered, PassAccessFinder access,
+                                     const JobContext& job);
 
     /// The pass that works most of a piece: straight in, on full lock as far round as is useful, straight
     /// out. The implement is in line at both ends. Empty if no pass has room to work any of the piece, or a
@@ -44,6 +44,9 @@ public:
     /// @param isRefused  whether nearly the same pass has failed before
     std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
                                  const JobContext& job);
+
+    /// Other legs may have ways to the poses that none led to.
+    void forgetFailedPoses() { failed_ = {}; }
 
 private:
     class Trial;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/field/allowed_areas.h"
 #include "planner/field/field.h"
 #include "planner/geometry/curve.h"
 #include "planner/jobs/job.h"
@@ -72,11 +73,12 @@ using SwathEnds = std::function<Result<std::vector<Pose>>(const MultiPolygon& ma
 /// The inputs of a headland. The headland keeps none of them.
 struct HeadlandTask {
     const Field& field;
-    const MultiPolygon& drivable;  ///< area for tractor and implement
+    const AllowedAreas& drivable;
     const Machine& machine;
     TurnPlanner* turn;  ///< the kind of turn that will be used
     const Settings& settings;
     Length margin;              ///< distance that everything keeps from the boundary
+    Length overhang = {};       ///< how far the implement may stand over every edge
     bool drawsOutEnds = false;  ///< swaths will be extended beyond a slanting edge of the mainland
     SwathEnds swathEnds;        ///< for headlands that depend on them; may fail as the swath method does
     /// Edges to lay the headland along, if different from the field's workable area: without the holes that

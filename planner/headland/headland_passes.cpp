@@ -271,7 +271,7 @@ Result<void> addRings(Headland& headland, const PassTask& task, const JobContext
 /// The clockwise passes: counter-clockwise passes in a mirror.
 Result<void> addRingsClockwise(Headland& headland, const PassTask& task, const JobContext& job) {
     const MultiPolygon workable = mirrored(task.workable);
-    const MultiPolygon drivable = mirrored(task.drivable);
+    const AllowedAreas drivable = mirrored(task.drivable);
     const Machine machine = mirrored(task.machine);
     Headland seen = headland;
     seen.mainland = mirrored(headland.mainland);

@@ -4,7 +4,7 @@
 #include "planner/geometry/curve_parts.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/smooth_ring.h"
-#include "planner/turns/footprint_check.h"
+#include "planner/turns/allowed_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -45,17 +45,15 @@ constexpr double kShortestSideM = 1e-3;
 struct Room {
     Room(const PassTask& task)
         : machine{task.machine},
-          working{task.machine.workingFootprint()},
-          edge{task.drivable, task.machine.workingFootprintWidth() + task.machine.spec().tractor.length} {}
+          working{task.drivable, task.machine, task.machine.workingFootprint(),
+                  task.machine.workingFootprintWidth() + task.machine.spec().tractor.length} {}
 
     const Machine& machine;
-    Ring working;
-    BoundaryDistance edge;
+    RigidRoom working;
 
     bool isFreeAt(const Pose& from, double aheadM) const {
-        return isInside(
-            {.position = from.position + aheadM * direction(from.heading.si()), .heading = from.heading},
-            working, edge);
+        return working.isInside(
+            {.position = from.position + aheadM * direction(from.heading.si()), .heading = from.heading});
     }
 
     /// The distance that the machine can drive on (back if the sign is -1), at most `wantedM`. A negative
@@ -411,7 +409,7 @@ Result<std::vector<HeadlandPass>> passesAlongStrips(const PassTask& task, Length
             }
             // Only as far as the machine fits, from the middle outwards.
             const Pose middle = advanced(line.start, line.pieces.front(), 0.5 * line.length());
-            if (!isInside(middle, room.working, room.edge)) {
+            if (!room.working.isInside(middle)) {
                 continue;
             }
             const double halfM = 0.5 * line.length().si();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace furrow {
@@ -30,6 +31,11 @@ MultiPolygon mirrored(const MultiPolygon& polygons) {
         std::ranges::transform(polygon.holes, std::back_inserter(all.back().holes), mirroredRing);
     }
     return all;
+}
+
+AllowedAreas mirrored(const AllowedAreas& areas) {
+    return {mirrored(areas.tractor()),
+            areas.hasOverhang() ? std::optional{mirrored(areas.implement())} : std::nullopt};
 }
 
 Machine mirrored(const Machine& machine) {

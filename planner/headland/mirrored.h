@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/field/allowed_areas.h"
 #include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/headland/headland.h"
@@ -13,6 +14,7 @@ namespace furrow {
 
 /// Outer rings stay counter-clockwise, holes clockwise.
 MultiPolygon mirrored(const MultiPolygon& polygons);
+AllowedAreas mirrored(const AllowedAreas& areas);
 /// The lateral offset of its implement changes its sign.
 Machine mirrored(const Machine& machine);
 Curve mirrored(const Curve& turn);

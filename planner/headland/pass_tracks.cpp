@@ -212,7 +212,7 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
 }
 
 /// A region whose lines follow the edges, or the given region if that fails.
-Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& drivable,
+Result<MultiPolygon> alongEdges(const MultiPolygon& region, const AllowedAreas& drivable,
                                 const Machine& machine, const FollowingRules& following, Length gentle,
                                 const JobContext& job) {
     const auto straight = linesOf(region, machine.minTurningRadius(), gentle, job);
@@ -222,7 +222,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const MultiPolygon& 
     if (straight->givenUp > 0) {
         return region;
     }
-    const BoundaryDistance edges{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    const AllowedEdges edges{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
     MultiPolygon outer;
     MultiPolygon holes;
     for (const Curve& line : straight->lines) {
@@ -268,7 +268,7 @@ double overhangM(const Machine& machine) {
 
 }  // namespace
 
-Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
+Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const AllowedAreas& drivable,
                               const Machine& machine, const TrackRules& rules, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
     const double reachM = overhangM(machine);
@@ -350,7 +350,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     return tracks;
 }
 
-std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Point> placesOutside(const Curve& line, const AllowedAreas& drivable, const Machine& machine,
                                  const JobContext& job) {
     std::vector<Point> places;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
@@ -363,7 +363,7 @@ std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable
     return places;
 }
 
-std::vector<Curve> partsInside(const Curve& closedLine, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Curve> partsInside(const Curve& closedLine, const AllowedAreas& drivable, const Machine& machine,
                                const JobContext& job) {
     // The line also stays away before and after such a place, by this distance.
     const double awayM = 2.0 * kCutLookM;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/field/allowed_areas.h"
 #include "planner/geometry/curve.h"
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
@@ -35,22 +36,21 @@ struct PassTracks {
 
 /// @param workable  the field less its obstacles
 /// @param inset     from the edges of `workable` to the line
-/// @param drivable  area for the footprint
 /// Lines are rounded with the machine's radius, or swung out for a trailed implement. Where tail or nose
 /// would leave `drivable`, the line moves in by the excess. The move decays exponentially before and after:
 /// on this curve the swinging corner follows a straight edge. Cancelled. Cost: one GEOS buffer, a few checks
 /// along the line, and GEOS overlays where corners are too close to each other.
-Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const MultiPolygon& drivable,
+Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const AllowedAreas& drivable,
                               const Machine& machine, const TrackRules& rules, const JobContext& job);
 
 /// Places where a line with the implement down is outside, at most one for each half of the overhang.
 /// Incomplete if the job is stopped.
-std::vector<Point> placesOutside(const Curve& line, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Point> placesOutside(const Curve& line, const AllowedAreas& drivable, const Machine& machine,
                                  const JobContext& job);
 
 /// The parts of a line on which the footprint, implement down, is inside. Parts shorter than the width of a
 /// pass are dropped. A closed line is cut open there. It stays unchanged if nothing is outside.
-std::vector<Curve> partsInside(const Curve& closedLine, const MultiPolygon& drivable, const Machine& machine,
+std::vector<Curve> partsInside(const Curve& closedLine, const AllowedAreas& drivable, const Machine& machine,
                                const JobContext& job);
 
 }  // namespace furrow

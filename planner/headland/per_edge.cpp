@@ -57,7 +57,7 @@ Result<bool> makeRoom(std::vector<EdgeStrip>& strips, const MultiPolygon& mainla
     for (const Pose& leaving : *ends) {
         for (const std::size_t i : edgesAhead(leaving, edges, task, within)) {
             const Length room = roomForTurnsAt(radians(angleBetween(leaving, strips[i])), task.machine,
-                                               task.turn, task.drawsOutEnds);
+                                               task.turn, task.drawsOutEnds, task.overhang);
             if (const int passes = passesFor(room, task.machine); passes > strips[i].passes) {
                 strips[i].passes = passes;
                 strips[i].width = widthOfPasses(passes, task);

@@ -1,7 +1,6 @@
 #include "planner/headland/strip_headland.h"
 
 #include "planner/geometry/geos_bridge.h"
-#include "planner/geometry/segment.h"
 #include "planner/headland/edge_strips.h"
 #include "planner/headland/headland_passes.h"
 
@@ -16,8 +15,6 @@ namespace {
 
 // Rounding must not turn 7.5 m / 2.5 m into two passes.
 constexpr double kPassSlack = 1e-9;
-// Obstacles and repairs cut edges into parts. A part lies within this distance of its edge.
-constexpr double kSameLineM = 0.01;
 // Smallest piece of mainland inside a single pass that gets swaths.
 constexpr Area kWorthSwaths = squareMetres(50.0);
 
@@ -39,12 +36,9 @@ Result<bool> isWorthWorking(const MultiPolygon& mainland, const Machine& machine
 
 void widenEdges(Headland& headland, const HeadlandTask& task) {
     for (EdgeStrip& strip : headland.strips) {
-        for (const WideEdge& wide : task.field.edgeHeadlands()) {
-            if (distanceToSegment(strip.from, wide.from, wide.to) < kSameLineM &&
-                distanceToSegment(strip.to, wide.from, wide.to) < kSameLineM) {
-                strip.passes = passesWithin(wide.width, task);
-                strip.width = heldWidth(wide.width, task);
-            }
+        if (const WideEdge* const wide = edgeWith(task.field.edgeHeadlands(), strip.from, strip.to)) {
+            strip.passes = passesWithin(wide->width, task);
+            strip.width = heldWidth(wide->width, task);
         }
     }
     for (const EdgeStrip& strip : headland.strips) {

@@ -6,6 +6,7 @@
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 #include "planner/path/folded_stretches.h"
+#include "planner/turns/allowed_edges.h"
 #include "planner/turns/footprint_check.h"
 #include "planner/turns/rig.h"
 
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -49,20 +51,57 @@ MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     return filled;
 }
 
-/// The driven shapes, slightly reduced: one shape, or a tractor and its trailed implement.
-struct Shapes {
-    explicit Shapes(const Machine& machine)
-        : trailer{Trailer::of(machine)},
-          tractor{shrunken(tractorOutline(machine))},
-          raised{shrunken(trailer ? trailer->raised : machine.turningFootprint())},
-          lowered{shrunken(trailer ? trailer->lowered : machine.workingFootprint())} {}
+std::vector<RigPart> shrunkenParts(const Machine& machine, ImplementAt implement, bool overhangs) {
+    std::vector<RigPart> parts = rigParts(machine, implement, overhangs);
+    for (RigPart& part : parts) {
+        part.shape = shrunken(std::move(part.shape));
+    }
+    return parts;
+}
 
-    const Ring& implement(bool down) const { return down ? lowered : raised; }
+/// The driven shapes, slightly reduced: one shape, or a tractor and its implement.
+struct Shapes {
+    Shapes(const Machine& machine, bool overhangs)
+        : trailer{Trailer::of(machine)},
+          raised{shrunkenParts(machine, ImplementAt::Raised, overhangs)},
+          lowered{shrunkenParts(machine, ImplementAt::Lowered, overhangs)} {}
+
+    const std::vector<RigPart>& parts(bool down) const { return down ? lowered : raised; }
+    Pose poseOf(const RigPart& part, const RigState& state) const {
+        return part.isTrailed ? trailer->poseOf(state.tractor, state.implement) : state.tractor;
+    }
 
     std::optional<Trailer> trailer;
-    Ring tractor;  ///< only used with a trailer
-    Ring raised;   ///< including the tractor if there is no trailer
-    Ring lowered;
+    std::vector<RigPart> raised;
+    std::vector<RigPart> lowered;
+};
+
+/// An area, and the same without holes.
+struct PreparedLand {
+    explicit PreparedLand(const MultiPolygon& polygons) : area{polygons}, land{withoutHoles(polygons)} {}
+
+    PreparedArea area;
+    PreparedArea land;
+};
+
+/// The areas for connections, which are tested by outlines, and the edges for passes.
+struct AreasToCheck {
+    AreasToCheck(const AllowedAreas& areas, Length reach)
+        : tractor{areas.tractor()},
+          edges{areas, reach},
+          landEdges{AllowedAreas{
+                        withoutHoles(areas.tractor()),
+                        areas.hasOverhang() ? std::optional{withoutHoles(areas.implement())} : std::nullopt},
+                    reach} {
+        if (areas.hasOverhang()) {
+            implement.emplace(areas.implement());
+        }
+    }
+
+    PreparedLand tractor;
+    std::optional<PreparedLand> implement;  ///< where it is not the same
+    AllowedEdges edges;
+    AllowedEdges landEdges;
 };
 
 /// The curvature just before the second of two samples. A sample states the one after it, so this follows
@@ -121,13 +160,11 @@ std::vector<RigState> statesAlong(const PathSegment& segment, const Shapes& shap
     return states;
 }
 
-/// The outlines of one shape along the way.
-std::vector<Polyline> outlines(std::span<const RigState> states, const Ring& shape,
-                               const std::optional<Trailer>& trailer) {
+/// The outlines of one part along the way.
+std::vector<Polyline> outlines(std::span<const RigState> states, const RigPart& part, const Shapes& shapes) {
     std::vector<Polyline> all;
     for (const RigState& state : states) {
-        all.push_back(
-            placed(shape, trailer ? trailer->poseOf(state.tractor, state.implement) : state.tractor));
+        all.push_back(placed(part.shape, shapes.poseOf(part, state)));
         all.back().push_back(all.back().front());
     }
     return all;
@@ -145,26 +182,26 @@ std::vector<Polyline> cornerTracks(const std::vector<Polyline>& outlines) {
 }
 
 /// The distance that the machine is outside.
-double outsideM(const RigState& state, const Shapes& shapes, const BoundaryDistance& edges) {
-    if (!shapes.trailer) {
-        return outsideM(state.tractor, shapes.lowered, edges);
+double outsideM(const RigState& state, const Shapes& shapes, const AllowedEdges& edges) {
+    double farthestM = 0.0;
+    for (const RigPart& part : shapes.lowered) {
+        farthestM = std::max(farthestM, outsideM(shapes.poseOf(part, state), part.shape,
+                                                 part.mayOverhang ? edges.implement() : edges.tractor()));
     }
-    return std::max(outsideM(state.tractor, shapes.tractor, edges),
-                    outsideM(shapes.trailer->poseOf(state.tractor, state.implement), shapes.lowered, edges));
+    return farthestM;
 }
 
 /// The place where a headland pass is farthest outside. Empty if it stays inside. A pass is too long for a
 /// test by outlines. Ends early, with a partial result, if the job is stopped.
 std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states, const Shapes& shapes,
-                                               const BoundaryDistance& drivable, const BoundaryDistance& land,
-                                               const JobContext& job) {
+                                               const AreasToCheck& areas, const JobContext& job) {
     BlockedConnection farthest;
     RigState worst;
     for (const RigState& state : states) {
         if (job.stopRequested()) {
             break;
         }
-        if (const Length outside = metres(outsideM(state, shapes, drivable)); outside > farthest.outside) {
+        if (const Length outside = metres(outsideM(state, shapes, areas.edges)); outside > farthest.outside) {
             farthest.outside = outside;
             worst = state;
         }
@@ -173,21 +210,21 @@ std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states,
         return std::nullopt;
     }
     farthest.place = worst.tractor.position;
-    farthest.obstacle = outsideM(worst, shapes, land) == 0.0;
+    farthest.obstacle = outsideM(worst, shapes, areas.landEdges) == 0.0;
     return farthest;
 }
 
-/// The place where the area swept between two stretches of work is farthest outside. Empty if it stays
-/// inside.
+/// The place where these parts sweep land outside of one area the farthest. Empty if they stay inside.
 std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states, const Shapes& shapes,
-                                               bool lowered, const PreparedArea& drivable,
-                                               const PreparedArea& land) {
-    std::vector<Polyline> all = outlines(states, shapes.implement(lowered), shapes.trailer);
-    std::vector<Polyline> tracks = cornerTracks(all);
-    if (shapes.trailer) {
-        const std::vector<Polyline> tractor = outlines(states, shapes.tractor, std::nullopt);
-        std::ranges::move(cornerTracks(tractor), std::back_inserter(tracks));
-        std::ranges::copy(tractor, std::back_inserter(all));
+                                               std::span<const RigPart* const> parts,
+                                               const PreparedLand& prepared) {
+    const PreparedArea& drivable = prepared.area;
+    std::vector<Polyline> all;
+    std::vector<Polyline> tracks;
+    for (const RigPart* const part : parts) {
+        const std::vector<Polyline> some = outlines(states, *part, shapes);
+        std::ranges::move(cornerTracks(some), std::back_inserter(tracks));
+        std::ranges::copy(some, std::back_inserter(all));
     }
     // Along a straight or bulging boundary the hull decides. Only inward corners need more.
     if (drivable.coversHullOf(all)) {
@@ -200,7 +237,7 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
     BlockedConnection blocked;
     // A footprint is farthest out with one of its corners, unless it straddles the obstacle.
     const std::vector<Polyline>& lines = tracksInside ? all : tracks;
-    const auto beyondLand = land.farthestOutside(lines);
+    const auto beyondLand = prepared.land.farthestOutside(lines);
     blocked.obstacle = !beyondLand;
     const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
     // A smaller excess may come from drawing, so the area counts as covered.
@@ -212,18 +249,33 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
     return blocked;
 }
 
+/// The place where the area swept between two stretches of work is farthest outside. Empty if it stays
+/// inside.
+std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states, const Shapes& shapes,
+                                               bool lowered, const AreasToCheck& areas) {
+    std::vector<const RigPart*> inTractors;
+    std::vector<const RigPart*> inImplements;
+    // The implement, which is the last part, leaves first.
+    for (const RigPart& part : shapes.parts(lowered) | std::views::reverse) {
+        (part.mayOverhang ? inImplements : inTractors).push_back(&part);
+    }
+    auto farthest = farthestOnWay(states, shapes, inTractors, areas.tractor);
+    if (areas.implement) {
+        auto other = farthestOnWay(states, shapes, inImplements, *areas.implement);
+        if (other && (!farthest || other->outside > farthest->outside)) {
+            farthest = std::move(other);
+        }
+    }
+    return farthest;
+}
+
 }  // namespace
 
-Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const MultiPolygon& drivableArea,
+Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const AllowedAreas& drivable,
                                                           const Machine& machine, const JobContext& job) {
-    const MultiPolygon landArea = withoutHoles(drivableArea);
-    const PreparedArea drivable{drivableArea};
-    const PreparedArea land{landArea};
-    const Length reach = machine.workingFootprintWidth() + machine.spec().tractor.length;
-    const BoundaryDistance drivableEdges{drivableArea, reach};
-    const BoundaryDistance landEdges{landArea, reach};
-    const Shapes shapes{machine};
-    const Shapes folded{machine.folded()};
+    const AreasToCheck areas{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
+    const Shapes shapes{machine, drivable.hasOverhang()};
+    const Shapes folded{machine.folded(), drivable.hasOverhang()};
     struct Connection {
         std::size_t segment;
         std::vector<RigState> states;
@@ -246,9 +298,9 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
             const auto& [index, states] = connections[i];
             const PathSegment& segment = path.segments[index];
             auto found = segment.kind == SegmentKind::HeadlandPass
-                             ? farthestAlong(states, shapes, drivableEdges, landEdges, job)
+                             ? farthestAlong(states, shapes, areas, job)
                              : farthestOnWay(states, isDrivenFolded(path.segments, index) ? folded : shapes,
-                                             segment.implementDown, drivable, land);
+                                             segment.implementDown, areas);
             if (found) {
                 found->segment = index;
             }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/geometry/polygon.h"
+#include "planner/field/allowed_areas.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
 #include "planner/path/path.h"
@@ -15,12 +15,12 @@ struct BlockedConnection {
     Length outside;           ///< the distance outside there
 };
 
-/// Connections and headland passes whose footprint leaves the drivable area. For connections, the outline of
-/// tractor and raised implement (or folded) is tested at every sample, with the track of each
-/// of its corners. Passes are long: the outline with the implement down is tested every half metre.
-/// @param drivable  from drivableArea
+/// Connections and headland passes whose tractor or implement leaves its area. For connections, the outline
+/// of tractor and raised implement (or folded) is tested at every sample, with the track of
+/// each of its corners. Passes are long: the outline with the implement down is tested every half metre.
+/// @param drivable  from allowedAreas
 /// Cost: about 20 microseconds for each sample of a connection. Cancelled.
-Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const MultiPolygon& drivable,
+Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const AllowedAreas& drivable,
                                                           const Machine& machine, const JobContext& job);
 
 }  // namespace furrow

@@ -14,21 +14,34 @@ constexpr Length kWholeField = metres(1e5);
 
 }  // namespace
 
+DrivenParts::DrivenParts(const MultiPolygon& rooms) {
+    for (const Polygon& room : rooms) {
+        edges_.emplace_back(MultiPolygon{room}, kWholeField);
+    }
+}
+
 Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, Length breadth, const JobContext& job) {
     return eroded(drivable, 0.5 * breadth, kArcTolerance, job).transform([](const MultiPolygon& rooms) {
-        DrivenParts parts;
-        for (const Polygon& room : rooms) {
-            parts.edges_.emplace_back(MultiPolygon{room}, kWholeField);
-        }
-        return parts;
+        return DrivenParts{rooms};
     });
 }
 
-Result<DrivenParts> DrivenParts::of(const MultiPolygon& drivable, const Machine& machine, Length spare,
+Result<DrivenParts> DrivenParts::of(const AllowedAreas& areas, const Machine& machine, Length spare,
                                     const JobContext& job) {
-    return of(drivable,
-              std::max(machine.spec().tractor.width, machine.turningWidth()) - metres(kNeckContactM) + spare,
-              job);
+    const Length more = spare - metres(kNeckContactM);
+    const Length tractor = machine.spec().tractor.width;
+    const Length breadth = std::max(tractor, machine.turningWidth());
+    if (!areas.hasOverhang()) {
+        return of(areas.tractor(), breadth + more, job);
+    }
+    const auto forTractor = eroded(areas.tractor(), 0.5 * (tractor + more), kArcTolerance, job);
+    const auto forImplement = eroded(areas.implement(), 0.5 * (breadth + more), kArcTolerance, job);
+    if (!forTractor || !forImplement) {
+        return std::unexpected(forTractor ? forImplement.error() : forTractor.error());
+    }
+    return intersection(*forTractor, *forImplement, job).transform([](const MultiPolygon& rooms) {
+        return DrivenParts{rooms};
+    });
 }
 
 bool DrivenParts::separate(Point from, Point to) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/field/allowed_areas.h"
 #include "planner/geometry/boundary_distance.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
@@ -15,7 +16,7 @@ public:
     static Result<DrivenParts> of(const MultiPolygon& drivable, Length breadth, const JobContext& job);
     /// Necks join two parts if they let the machine through with its implement raised, touching both sides.
     /// @param spare  extra width required in total
-    static Result<DrivenParts> of(const MultiPolygon& drivable, const Machine& machine, Length spare,
+    static Result<DrivenParts> of(const AllowedAreas& areas, const Machine& machine, Length spare,
                                   const JobContext& job);
 
     /// The part in which a place lies, or to which it is nearest. O(edges).
@@ -23,6 +24,8 @@ public:
     bool separate(Point from, Point to) const;
 
 private:
+    explicit DrivenParts(const MultiPolygon& rooms);
+
     std::vector<BoundaryDistance> edges_;
 };
 

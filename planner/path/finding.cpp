@@ -17,6 +17,7 @@ std::string_view kindId(FindingKind kind) {
         case FindingKind::DroppedSwath: return "dropped-swath";
         case FindingKind::Missed: return "missed";
         case FindingKind::OutOfReach: return "out-of-reach";
+        case FindingKind::Overhang: return "overhang";
         case FindingKind::HeadlandNotWorked: return "headland-not-worked";
         case FindingKind::CurvatureRate: return "curvature-rate";
         case FindingKind::StatedCurvature: return "stated-curvature";

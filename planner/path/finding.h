@@ -26,6 +26,7 @@ enum class FindingKind {
     DroppedSwath,         ///< a swath is not on the path
     Missed,               ///< land within reach is not worked
     OutOfReach,           ///< land that the machine cannot reach
+    Overhang,             ///< the implement stands over an edge, as it may
     HeadlandNotWorked,    ///< the strip is kept for turning only
     CurvatureRate,        ///< the steering has to turn too fast
     StatedCurvature,      ///< states another curvature than it has

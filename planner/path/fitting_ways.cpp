@@ -15,8 +15,8 @@ constexpr std::size_t kMostKept = 20'000;
 
 }  // namespace
 
-WaySearches::WaySearches(const MultiPolygon& drivable, const Machine& machine, TravelCost travel)
-    : drivable_{drivable}, rig_{drivable, machine}, travel_{std::move(travel)} {}
+WaySearches::WaySearches(const AllowedAreas& areas, const Machine& machine, TravelCost travel)
+    : areas_{areas}, rig_{areas, machine}, travel_{std::move(travel)} {}
 
 std::optional<Curve> WaySearches::between(const Pose& leaving, const Pose& arriving, const JobContext& job,
                                           SearchEffort effort) {
@@ -46,7 +46,8 @@ std::optional<Curve> WaySearches::byOne(const Method<TurnPlanner>& kind, const P
 
 const DrivenParts* WaySearches::parts() {
     std::call_once(once_, [this] {
-        if (auto found = DrivenParts::of(drivable_, rig_.machine().spec().tractor.width + kNeckSpare, {})) {
+        if (auto found =
+                DrivenParts::of(areas_.tractor(), rig_.machine().spec().tractor.width + kNeckSpare, {})) {
             parts_ = *std::move(found);
         }
     });

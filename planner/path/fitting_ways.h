@@ -18,7 +18,7 @@ namespace furrow {
 /// be used by several threads at once. A result is the same whether it was searched before or not.
 class WaySearches {
 public:
-    WaySearches(const MultiPolygon& drivable, const Machine& machine, TravelCost travel);
+    WaySearches(const AllowedAreas& areas, const Machine& machine, TravelCost travel);
 
     const Rig& rig() const { return rig_; }
     /// Cost: as of `fittingConnection` the first time.
@@ -33,7 +33,7 @@ public:
 private:
     using Key = std::array<double, 7>;
 
-    MultiPolygon drivable_;
+    AllowedAreas areas_;
     Rig rig_;
     TravelCost travel_;
     std::once_flag once_;

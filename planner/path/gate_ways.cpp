@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace furrow {
 
@@ -122,6 +123,8 @@ Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings&
     return place;
 }
 
+namespace {
+
 Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& field,
                                    std::span<const std::optional<RoutePlace>> places, const JobContext& job) {
     MultiPolygon open = drivable;
@@ -139,6 +142,20 @@ Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& fi
         }
     }
     return open.size() == drivable.size() ? Result<MultiPolygon>{drivable} : unionOf(open, job);
+}
+
+}  // namespace
+
+Result<AllowedAreas> withOpenGates(const AllowedAreas& drivable, const Field& field,
+                                   std::span<const std::optional<RoutePlace>> places, const JobContext& job) {
+    auto tractor = withOpenGates(drivable.tractor(), field, places, job);
+    if (!tractor || !drivable.hasOverhang()) {
+        return std::move(tractor).transform(
+            [](MultiPolygon&& both) { return AllowedAreas{std::move(both)}; });
+    }
+    return withOpenGates(drivable.implement(), field, places, job).transform([&](MultiPolygon&& implement) {
+        return AllowedAreas{*std::move(tractor), std::move(implement)};
+    });
 }
 
 std::optional<Leg> wayIn(const RoutePlace& place, const Field& field, const Rig& rig, Point next) {

@@ -24,8 +24,8 @@ struct RoutePlace {
 Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings,
                                              const Parameter& parameter);
 
-/// The drivable area with these gates open, each as a disc of the gate's width.
-Result<MultiPolygon> withOpenGates(const MultiPolygon& drivable, const Field& field,
+/// The areas with these gates open, each as a disc of the gate's width.
+Result<AllowedAreas> withOpenGates(const AllowedAreas& drivable, const Field& field,
                                    std::span<const std::optional<RoutePlace>> places, const JobContext& job);
 
 /// The short straight on which the machine comes in at a place. At a gate it crosses the boundary, starting

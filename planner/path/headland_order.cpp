@@ -2,8 +2,8 @@
 
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/smooth_ring.h"
+#include "planner/turns/allowed_edges.h"
 #include "planner/turns/connection.h"
-#include "planner/turns/footprint_check.h"
 #include "planner/turns/trailer.h"
 
 #include <algorithm>
@@ -195,11 +195,11 @@ std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
 /// Finds the best start of a closed pass.
 class StartChooser {
 public:
-    StartChooser(const MultiPolygon& drivable, const Machine& machine, TurnPlanner* turn)
+    StartChooser(const AllowedAreas& drivable, const Machine& machine, TurnPlanner* turn)
         : machine_{machine},
           turn_{turn},
-          footprint_{machine.turningFootprint()},
-          edges_{drivable, machine.turningWidth() + machine.spec().tractor.length} {}
+          raised_{drivable, machine, machine.turningFootprint(),
+                  machine.turningWidth() + machine.spec().tractor.length} {}
 
     /// The place with the quickest way between pass and fixed pose that stays inside. If no way stays inside,
     /// the quickest one; without a pose, the first place.
@@ -214,7 +214,7 @@ public:
         }
         std::ranges::sort(byTime);
         for (const auto& [time, i] : byTime | std::views::take(kMostChecked)) {
-            if (staysInside(way(places[i], *fixed, fixedIsNext), footprint_, edges_, kCheckStep)) {
+            if (raised_.staysInside(way(places[i], *fixed, fixedIsNext), kCheckStep)) {
                 return places[i];
             }
         }
@@ -229,8 +229,7 @@ private:
 
     const Machine& machine_;
     TurnPlanner* turn_;
-    Ring footprint_;
-    BoundaryDistance edges_;
+    RigidRoom raised_;
 };
 
 }  // namespace
@@ -240,11 +239,10 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     const Implement& implement = machine.spec().implement;
     const Length inLineAfter =
         Trailer::of(machine) ? kLengthsIntoLine * (implement.hitchOffset - implement.offset) : Length{};
-    const Ring working = machine.workingFootprint();
-    const BoundaryDistance edges{drive.drivable,
-                                 machine.workingFootprintWidth() + machine.spec().tractor.length};
+    const RigidRoom working{drive.drivable, machine, machine.workingFootprint(),
+                            machine.workingFootprintWidth() + machine.spec().tractor.length};
     const auto fits = [&](const Curve& line) {
-        return isInside(line.start, working, edges) && staysInside(line, working, edges, kCheckStep);
+        return working.isInside(line.start) && working.staysInside(line, kCheckStep);
     };
     std::vector<std::vector<StartPlace>> places;
     for (const HeadlandPass& pass : passes) {

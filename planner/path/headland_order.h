@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/field/allowed_areas.h"
 #include "planner/headland/full_lock_passes.h"
 #include "planner/headland/headland.h"
 #include "planner/path/path_builder.h"
@@ -16,7 +17,7 @@ struct HeadlandDrive {
     /// rotated so that the ways between them and to it are short. Empty if there are no swaths.
     std::optional<Pose> before;    ///< end of the leg right before the headland
     std::optional<Pose> after;     ///< start of the leg right after the headland
-    const MultiPolygon& drivable;  ///< the ways between passes stay inside if possible
+    const AllowedAreas& drivable;  ///< the ways between passes stay inside if possible
 };
 
 /// The legs of all passes, ring by ring around each boundary or obstacle, nearest first. Each closed pass

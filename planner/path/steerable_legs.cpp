@@ -409,10 +409,10 @@ void EasedRuns::add(Key key, std::vector<Curve> lines) {
     known_.emplace(std::move(key), std::move(lines));
 }
 
-SteeringRoom::SteeringRoom(const MultiPolygon& drivable, const Machine& machine)
-    : lowered{drivable, machine, ImplementAt::Lowered},
-      raised{drivable, machine},
-      folded{drivable, machine.folded()} {}
+SteeringRoom::SteeringRoom(const AllowedAreas& areas, const Machine& machine)
+    : lowered{areas, machine, ImplementAt::Lowered},
+      raised{areas, machine},
+      folded{areas, machine.folded()} {}
 
 Result<std::vector<Leg>> steerableLegs(std::vector<Leg> legs, const SteeringRoom& room,
                                        const JobContext& job) {

@@ -28,7 +28,7 @@ private:
 
 /// The machine in its three states, in the area in which it may drive.
 struct SteeringRoom {
-    SteeringRoom(const MultiPolygon& drivable, const Machine& machine);
+    SteeringRoom(const AllowedAreas& areas, const Machine& machine);
 
     Rig lowered;
     Rig raised;

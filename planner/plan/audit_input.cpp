@@ -34,6 +34,7 @@ AuditInput auditInput(const AuditedParts& plan) {
     const Field& field = *plan.request.field;
     AuditInput input{.workable = field.workable(),
                      .drivable = field.drivable(),
+                     .overhung = plan.overhung,
                      .gates = {},
                      .machine = plan.request.machine,
                      .segments = plan.path.segments,

@@ -10,6 +10,7 @@ namespace furrow {
 struct AuditedParts {
     const PlanRequest& request;
     Length margin;
+    const std::optional<MultiPolygon>& overhung;  ///< as of Ground
     const Headland& headland;
     std::span<const HeadlandPass> finishing;  ///< short passes, which are not passes of the headland
     const MultiPolygon& mainland;

@@ -65,7 +65,7 @@ Message blockedReason(const BlockedConnection& blocked) {
 
 }  // namespace
 
-Result<std::vector<Finding>> checkWays(Path& path, const MultiPolygon& drivable, const Machine& machine,
+Result<std::vector<Finding>> checkWays(Path& path, const AllowedAreas& drivable, const Machine& machine,
                                        const JobContext& job) {
     std::vector<Finding> findings;
     const auto blocked = blockedConnections(path, drivable, machine, job);

@@ -69,9 +69,13 @@ Result<RouteEnds> routeEnds(const Field& field, const Settings& settings) {
 
 /// Where ways may lead: gates are open, and where the machine may leave the field so is everything but
 /// obstacles.
-Result<MultiPolygon> groundForWays(const DriveTask& task, const MultiPolygon& open, const JobContext& job) {
-    return task.request.settings.flag(kStayInside) ? Result<MultiPolygon>{open}
-                                                   : groundAround(*task.request.field, job);
+Result<AllowedAreas> groundForWays(const DriveTask& task, const AllowedAreas& open, const JobContext& job) {
+    if (task.request.settings.flag(kStayInside)) {
+        return open;
+    }
+    return groundAround(*task.request.field, job).transform([](MultiPolygon&& all) {
+        return AllowedAreas{std::move(all)};
+    });
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace furrow {
 /// What a driving room is made from, beside field and machine.
 struct DrivingRoomInputs {
     std::shared_ptr<const Ground> ground;
-    MultiPolygon forWays;   ///< gates open
+    AllowedAreas forWays;   ///< gates open
     MultiPolygon mainland;  ///< for the rule
     Traversal traversal{};
 

@@ -76,7 +76,7 @@ PassPlace placeBetween(const Curve& line, const std::vector<Leg>& legs, Remember
 /// Passes on full lock, for machines that cannot reverse.
 Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered,
                                                      const std::vector<Leg>& legs, RememberedWays& ways,
-                                                     FoldingWays* folding, const MultiPolygon& ground,
+                                                     FoldingWays* folding, const AllowedAreas& ground,
                                                      const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
@@ -95,7 +95,7 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
 
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
                            const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
-                           const MultiPolygon& ground, std::optional<PlanToBeat> toBeat,
+                           const AllowedAreas& ground, std::optional<PlanToBeat> toBeat,
                            const JobContext& job) {
     if (!mayFinish(task) || !leavesTooMuch(driven)) {
         return driven;

@@ -1,6 +1,7 @@
 #include "planner/plan/ground.h"
 
 #include "planner/field/drivable_area.h"
+#include "planner/field/overhung_land.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/plan/general_parameters.h"
@@ -72,8 +73,12 @@ Result<Ground> groundOf(const PlanRequest& request, const JobContext& job) {
     if (auto fits = checkThatItFits(field, request.machine, margin, job); !fits) {
         return std::unexpected(fits.error());
     }
-    return drivableArea(field, margin, job).transform([&](MultiPolygon&& drivable) {
-        return Ground{margin, std::move(drivable)};
+    auto overhung = overhungLand(field, request.settings.length(kOverhang).value_or(Length{}), job);
+    if (!overhung) {
+        return std::unexpected(overhung.error());
+    }
+    return allowedAreas(field, *overhung, margin, job).transform([&](AllowedAreas&& drivable) {
+        return Ground{margin, std::move(drivable), *std::move(overhung)};
     });
 }
 

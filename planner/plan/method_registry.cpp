@@ -26,7 +26,7 @@ constexpr std::array<const Parameter*, 7> kSwathParameters{
 constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
 constexpr std::array<const Parameter*, 3> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
-constexpr std::array<const Parameter*, 2> kGeneralParameters{&kOperationKind, &kMargin};
+constexpr std::array<const Parameter*, 3> kGeneralParameters{&kOperationKind, &kMargin, &kOverhang};
 
 template <class Methods>
 std::vector<Choice> choicesFrom(const Methods& methods) {
@@ -133,6 +133,18 @@ const Parameter kMargin{
     .min = 0.0,
     .max = 50.0,
     .step = 0.1,
+    .choices = {}};
+
+const Parameter kOverhang{
+    .key = "field.overhang_m",
+    .name = "Overhang",
+    .description =
+        "How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.",
+    .kind = ParameterKind::Length,
+    .standard = 0.0,
+    .min = 0.0,
+    .max = 100.0,
+    .step = 0.5,
     .choices = {}};
 
 const Parameter kStayInside{.key = "path.stay_inside",

@@ -26,7 +26,7 @@ constexpr double kEasedShare = 0.995;
 
 }  // namespace
 
-PathOverLegs::PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
+PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const SteeringRoom& room,
                            RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                            const MultiPolygon& leftOnPurpose)
     : task_{task},
@@ -168,6 +168,7 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
     }
     auto report = audit(auditInput({.request = request,
                                     .margin = task_.ground->margin,
+                                    .overhung = task_.ground->overhung,
                                     .headland = task_.headland,
                                     .finishing = driven.finishing,
                                     .mainland = task_.laid.mainland,

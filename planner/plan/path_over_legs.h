@@ -35,10 +35,8 @@ public:
     /// @param ground         the area for ways, gates open
     /// @param room           for easing
     /// @param folding        taken where no raised way leads; null for machines that are no narrower folded
-    /// for
-    ///                       machines that are no narrower then
     /// @param leftOnPurpose  for the audit
-    PathOverLegs(const DriveTask& task, const MultiPolygon& ground, const SteeringRoom& room,
+    PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const SteeringRoom& room,
                  RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                  const MultiPolygon& leftOnPurpose);
 
@@ -64,7 +62,7 @@ private:
                                          const JobContext& job) const;
 
     const DriveTask& task_;
-    const MultiPolygon& ground_;
+    const AllowedAreas& ground_;
     RememberedWays& ways_;
     FoldingWays* folding_;
     const ChosenTurns& chosen_;

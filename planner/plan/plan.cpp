@@ -45,6 +45,7 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
     const LaidSwaths& laid = *stages.laidOut.laid;
     auto plan = std::make_shared<Plan>(Plan{.request = request,
                                             .margin = stages.ground->margin,
+                                            .overhung = stages.ground->overhung,
                                             .headland = *stages.laidOut.headland,
                                             .leftOnPurpose = stages.driven->leftOnPurpose,
                                             .swaths = laid.swaths,
@@ -79,6 +80,7 @@ bool Plan::drivable() const {
 AuditInput auditInput(const Plan& plan) {
     return auditInput({.request = plan.request,
                        .margin = plan.margin,
+                       .overhung = plan.overhung,
                        .headland = plan.headland,
                        .finishing = {},
                        .mainland = plan.headland.mainland,

@@ -8,7 +8,8 @@ namespace furrow {
 /// plan whatever the thread count (timings aside).
 struct Plan {
     PlanRequest request;
-    Length margin;  ///< as used: the setting, or the boundary's accuracy
+    Length margin;                         ///< as used: the setting, or the boundary's accuracy
+    std::optional<MultiPolygon> overhung;  ///< where implements may stand; empty: in the drivable area
     Headland headland;
     /// Land that may be driven on and is not worked on purpose: wet spots, what is passed over with them,
     /// alleys, gaps. The margin is not in it.

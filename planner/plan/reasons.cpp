@@ -67,7 +67,8 @@ Message whyOutside(const Plan& plan) {
         return noHeadland(*headland);
     }
     const Length room =
-        plan.margin + roomForTurns(plan.request.machine, turnMethod(settings).run, drawsOutEnds(settings));
+        plan.margin + roomForTurns(plan.request.machine, turnMethod(settings).run, drawsOutEnds(settings),
+                                   settings.length(kOverhang).value_or(Length{}));
     if (!plan.headland.narrowed) {
         return headland != nullptr && plan.headland.width < room
                    ? message("A turn of this machine needs {:.1f} m of headland; it is {:.1f} m ({}).",

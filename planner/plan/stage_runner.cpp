@@ -4,6 +4,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/path/blocking.h"
 #include "planner/plan/drive_stage.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/ground.h"
 #include "planner/plan/mainland_parts.h"
 #include "planner/plan/method_registry.h"
@@ -67,6 +68,7 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
                  .turn = turnMethod(settings).run,
                  .settings = settings,
                  .margin = ground->margin,
+                 .overhang = settings.length(kOverhang).value_or(Length{}),
                  .drawsOutEnds = drawsOutEnds(settings),
                  .swathEnds = [&](const MultiPolygon& mainland) { return swathEnds(asking, mainland, job); },
                  .along = &workable},

@@ -2,6 +2,7 @@
 
 #include "planner/audit/audit.h"
 #include "planner/decomposition/decomposition.h"
+#include "planner/field/allowed_areas.h"
 #include "planner/headland/headland.h"
 #include "planner/path/finding.h"
 #include "planner/path/path.h"
@@ -22,7 +23,9 @@ namespace furrow {
 /// Where the machine may be.
 struct Ground {
     Length margin;  ///< that everything keeps from the boundary: the setting, or the boundary's accuracy
-    MultiPolygon drivable;  ///< gates closed
+    AllowedAreas drivable;  ///< gates closed
+    /// For the implement, without the margin; empty if that is the field's drivable area.
+    std::optional<MultiPolygon> overhung;
 };
 
 /// A part of the mainland whose swaths were laid, and are decomposed, by themselves.

@@ -144,12 +144,13 @@ Result<LaidSwaths> withoutShortOnes(LaidSwaths laid, const PlanRequest& request,
 
 struct GroundForEnds {
     MultiPolygon working;
-    MultiPolygon driving;
+    AllowedAreas driving;
     bool drawsIn = false;
 };
 
-/// Inside the outermost pass where there are more. Without any, ends are drawn in, and a machine that may
-/// leave the field is everywhere but over obstacles.
+/// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field,
+/// everywhere but over obstacles. Without any in a field with overhangs, swaths stop where the tractor would
+/// leave the field, so that it needs no more than the boom's room.
 Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (task.passes == 0 && !task.request.settings.flag(kStayInside)) {
@@ -160,7 +161,9 @@ Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) 
     const Length outermost =
         task.ground.margin + (task.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
     return eroded(task.workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
-        return GroundForEnds{std::move(working), task.ground.drivable, task.passes == 0};
+        return GroundForEnds{.working = std::move(working),
+                             .driving = task.ground.drivable,
+                             .drawsIn = task.passes == 0 && task.ground.drivable.hasOverhang()};
     });
 }
 

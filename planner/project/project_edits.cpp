@@ -130,11 +130,12 @@ Project withoutHole(Project project, std::size_t part, std::size_t hole) {
     return withSourceChanged(std::move(project), [part, hole](ProjectField&, FieldSource& source) {
         if (part < source.parts.size()) {
             erase(source.parts[part].holes, hole);
-            std::erase_if(source.edgeHeadlands, [&](const EdgeWidth& headland) {
-                return headland.part == part && headland.ring == hole + 1;
-            });
-            for (EdgeWidth& headland : source.edgeHeadlands) {
-                headland.ring -= headland.part == part && headland.ring > hole + 1 ? 1 : 0;
+            for (std::vector<EdgeWidth>* widths : {&source.edgeHeadlands, &source.edgeOverhangs}) {
+                std::erase_if(*widths,
+                              [&](const EdgeWidth& own) { return own.part == part && own.ring == hole + 1; });
+                for (EdgeWidth& own : *widths) {
+                    own.ring -= own.part == part && own.ring > hole + 1 ? 1 : 0;
+                }
             }
         }
     });

@@ -245,6 +245,28 @@ ImageryLayer layerFrom(const OrderedJson& json) {
     return layer;
 }
 
+constexpr const char* kEdgeHeadlands = "edge_headlands";
+constexpr const char* kEdgeOverhangs = "edge_overhangs";
+
+/// None are left out of the file.
+void addEdgeWidths(OrderedJson& properties, const char* key, const std::vector<EdgeWidth>& widths) {
+    for (const EdgeWidth& own : widths) {
+        properties[key].push_back(
+            {{"part", own.part}, {"ring", own.ring}, {"edge", own.edge}, {"width_m", own.width.si()}});
+    }
+}
+
+std::vector<EdgeWidth> edgeWidthsIn(const OrderedJson& properties, const char* key) {
+    std::vector<EdgeWidth> widths;
+    for (const OrderedJson& own : properties.value(key, OrderedJson::array())) {
+        widths.push_back({.part = own.at("part").get<std::size_t>(),
+                          .ring = own.at("ring").get<std::size_t>(),
+                          .edge = own.at("edge").get<std::size_t>(),
+                          .width = lengthIn(own, "width_m")});
+    }
+    return widths;
+}
+
 }  // namespace
 
 OrderedJson featuresOf(const ProjectField& field) {
@@ -253,21 +275,21 @@ OrderedJson featuresOf(const ProjectField& field) {
     OrderedJson properties{{"kind", "field"},         {"field", field.id},
                            {"id", source.id},         {"name", source.name},
                            {"origin", source.origin}, {"boundary_accuracy_m", source.boundaryAccuracy.si()}};
-    for (const EdgeWidth& headland : source.edgeHeadlands) {
-        properties["edge_headlands"].push_back({{"part", headland.part},
-                                                {"ring", headland.ring},
-                                                {"edge", headland.edge},
-                                                {"width_m", headland.width.si()}});
-    }
+    addEdgeWidths(properties, kEdgeHeadlands, source.edgeHeadlands);
+    addEdgeWidths(properties, kEdgeOverhangs, source.edgeOverhangs);
     features.push_back(featureOf(std::move(properties), geometryOf(source.parts), field.others));
     for (std::size_t i = 0; i < source.obstacles.size(); ++i) {
         const Obstacle& obstacle = source.obstacles[i];
-        features.push_back(featureOf({{"kind", "obstacle"},
-                                      {"field", field.id},
-                                      {"name", obstacle.name},
-                                      {"passable", obstacle.passable},
-                                      {"buffer_m", obstacle.buffer.si()}},
-                                     geometryOf({obstacle.outline}), at(field.obstacleOthers, i)));
+        OrderedJson about{{"kind", "obstacle"},
+                          {"field", field.id},
+                          {"name", obstacle.name},
+                          {"passable", obstacle.passable},
+                          {"buffer_m", obstacle.buffer.si()}};
+        if (obstacle.overhang != Length{}) {
+            about["overhang_m"] = obstacle.overhang.si();
+        }
+        features.push_back(
+            featureOf(std::move(about), geometryOf({obstacle.outline}), at(field.obstacleOthers, i)));
     }
     for (std::size_t i = 0; i < source.gates.size(); ++i) {
         const Gate& gate = source.gates[i];
@@ -303,22 +325,19 @@ ProjectField fieldOf(const OrderedJson& features, const OrderedJson& plans, cons
             source.origin = properties.value("origin", "");
             source.boundaryAccuracy = lengthIn(properties, "boundary_accuracy_m");
             source.parts = polygonsFrom(geometry);
-            for (const OrderedJson& headland : properties.value("edge_headlands", OrderedJson::array())) {
-                source.edgeHeadlands.push_back({.part = headland.at("part").get<std::size_t>(),
-                                                .ring = headland.at("ring").get<std::size_t>(),
-                                                .edge = headland.at("edge").get<std::size_t>(),
-                                                .width = lengthIn(headland, "width_m")});
-            }
-            field.others = othersOf(
-                feature, {"kind", "field", "id", "name", "origin", "boundary_accuracy_m", "edge_headlands"});
+            source.edgeHeadlands = edgeWidthsIn(properties, kEdgeHeadlands);
+            source.edgeOverhangs = edgeWidthsIn(properties, kEdgeOverhangs);
+            field.others = othersOf(feature, {"kind", "field", "id", "name", "origin", "boundary_accuracy_m",
+                                              kEdgeHeadlands, kEdgeOverhangs});
         } else if (kind == "obstacle") {
             for (GeoPolygon& outline : polygonsFrom(geometry)) {
                 source.obstacles.push_back({.name = properties.value("name", ""),
                                             .outline = std::move(outline),
                                             .passable = properties.value("passable", false),
-                                            .buffer = lengthIn(properties, "buffer_m")});
+                                            .buffer = lengthIn(properties, "buffer_m"),
+                                            .overhang = lengthIn(properties, "overhang_m")});
                 field.obstacleOthers.push_back(
-                    othersOf(feature, {"kind", "field", "name", "passable", "buffer_m"}));
+                    othersOf(feature, {"kind", "field", "name", "passable", "buffer_m", "overhang_m"}));
             }
         } else {
             source.gates.push_back({.name = properties.value("name", ""),

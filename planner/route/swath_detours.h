@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/core/result.h"
+#include "planner/field/allowed_areas.h"
 #include "planner/geometry/polygon.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
@@ -13,7 +14,7 @@ namespace furrow {
 
 /// The obstacles that swaths go round, and the room for it.
 struct DetourTask {
-    const MultiPolygon& drivable;     ///< area for tractor and implement
+    const AllowedAreas& drivable;
     std::span<const Ring> obstacles;  ///< holes of that area, without the margin
     const Machine& machine;
     Length margin;  ///< distance kept from the obstacles

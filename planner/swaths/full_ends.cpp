@@ -201,7 +201,8 @@ public:
           machinery_{machineryOf(machine)},
           mainland_{mainland, along_, 2.0 * machinery_.halfWidthM},
           working_{room.working, along_, 2.0 * machinery_.halfWidthM},
-          driving_{room.driving, along_, 2.0 * machinery_.halfWidthM},
+          implement_{room.driving.implement(), along_, 2.0 * machinery_.halfWidthM},
+          tractor_{room.driving.tractor(), along_, 2.0 * machinery_.halfWidthM},
           turningM_{room.turning.si()},
           drawsIn_{room.drawsIn} {}
 
@@ -233,8 +234,8 @@ private:
         const double backM = std::min(mostM, machinery_.aheadM + machinery_.halfWidthM);
         const End before{.x = end.x - end.ahead * backM, .y = end.y, .ahead = end.ahead};
         const double free =
-            std::min(freeAhead(driving_, before, machinery_.halfWidthM) - machinery_.halfImplementM,
-                     freeAhead(driving_, before, machinery_.halfTractorM) - machinery_.aheadM);
+            std::min(freeAhead(implement_, before, machinery_.halfWidthM) - machinery_.halfImplementM,
+                     freeAhead(tractor_, before, machinery_.halfTractorM) - machinery_.aheadM);
         return std::clamp(backM - free, 0.0, mostM);
     }
 
@@ -253,9 +254,9 @@ private:
         // The turn goes to one of the neighbours, so the room is one width more on both sides.
         const double free =
             std::min({freeAhead(working_, end, machinery_.halfWidthM),
-                      freeAhead(driving_, end, machinery_.halfWidthM) - machinery_.halfImplementM,
-                      freeAhead(driving_, end, machinery_.halfTractorM) - machinery_.aheadM,
-                      freeAhead(driving_, end, 3.0 * machinery_.halfWidthM) - turningM_});
+                      freeAhead(implement_, end, machinery_.halfWidthM) - machinery_.halfImplementM,
+                      freeAhead(tractor_, end, machinery_.halfTractorM) - machinery_.aheadM,
+                      freeAhead(implement_, end, 3.0 * machinery_.halfWidthM) - turningM_});
         const double more = std::clamp(free, 0.0, wanted);
         set_.endOverlap += squareMetres(areaBeyond(end, across, more));
         return end.x + end.ahead * more;
@@ -278,7 +279,8 @@ private:
     Machinery machinery_;
     TurnedEdges mainland_;
     TurnedEdges working_;
-    TurnedEdges driving_;
+    TurnedEdges implement_;  ///< edges of its area
+    TurnedEdges tractor_;
     double turningM_;
     bool drawsIn_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/field/allowed_areas.h"
 #include "planner/swaths/swath.h"
 
 namespace furrow {
@@ -7,8 +8,8 @@ namespace furrow {
 /// The room for swath ends beyond the mainland.
 struct EndRoom {
     const MultiPolygon& working;  ///< area for the implement: the field inside its outermost pass
-    const MultiPolygon& driving;  ///< area for tractor and implement
-    Length turning;               ///< ahead of the swath's end, for the turn into the next one
+    const AllowedAreas& driving;
+    Length turning;  ///< ahead of the swath's end, for the turn into the next one
     /// Ends stop short where tractor and implement would leave `driving`. Used if there is no headland to
     /// turn in.
     bool drawsIn = false;

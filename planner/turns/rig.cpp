@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
 namespace furrow {
@@ -23,62 +24,67 @@ constexpr double kInLineRad = 1e-9;
 // Shorter straights are sampled place by place.
 constexpr double kShortM = 0.1;
 
-Ring wholeFootprint(const Machine& machine, ImplementAt implement) {
-    return implement == ImplementAt::Lowered ? machine.workingFootprint() : machine.turningFootprint();
-}
-
-Ring tractorShape(const Machine& machine, const std::optional<Trailer>& trailer, ImplementAt implement) {
-    return trailer ? tractorOutline(machine) : wholeFootprint(machine, implement);
-}
-
-Ring trailedShape(const std::optional<Trailer>& trailer, ImplementAt implement) {
-    return !trailer ? Ring{} : implement == ImplementAt::Lowered ? trailer->lowered : trailer->raised;
-}
-
 }  // namespace
 
-Rig::Part Rig::partOf(Ring shape) {
-    const double radiusM = radiusOf(shape);
-    const Bounds box = bounds({{.outer = shape, .holes = {}}});
-    return {std::move(shape), radiusM, box};
+std::vector<Rig::Part> Rig::partsOf(const Machine& machine, ImplementAt implement, bool overhangs) {
+    std::vector<Part> parts;
+    for (RigPart& part : rigParts(machine, implement, overhangs)) {
+        const double radiusM = radiusOf(part.shape);
+        const Bounds box = bounds({{.outer = part.shape, .holes = {}}});
+        parts.push_back({std::move(part.shape), radiusM, box, part.isTrailed, part.mayOverhang});
+    }
+    return parts;
 }
 
-Rig::Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement)
+double Rig::radiusM(bool isTrailed) const {
+    double radiusM = 0.0;
+    for (const Part& part : parts_) {
+        radiusM = part.isTrailed == isTrailed ? std::max(radiusM, part.radiusM) : radiusM;
+    }
+    return radiusM;
+}
+
+Rig::Rig(const AllowedAreas& areas, const Machine& machine, ImplementAt implement)
     : machine_{machine},
       steered_{machine.withSteeringReserve()},
       trailer_{Trailer::of(machine)},
-      tractor_{partOf(tractorShape(machine, trailer_, implement))},
-      trailed_{partOf(trailedShape(trailer_, implement))},
-      edges_{drivable, metres(1.0 + std::max(tractor_.radiusM, trailed_.radiusM))} {}
+      parts_{partsOf(machine, implement, areas.hasOverhang())},
+      tractorRadiusM_{radiusM(false)},
+      trailedRadiusM_{radiusM(true)},
+      edges_{areas, metres(1.0 + std::max(tractorRadiusM_, trailedRadiusM_))} {}
 
 FootprintRoom Rig::roomAround(const Part& part, const Pose& pose) const {
-    const double inside = edges_.insideM(pose.position).value_or(edges_.reachM());
+    const BoundaryDistance& edges = edgesFor(part);
+    const double inside = edges.insideM(pose.position).value_or(edges.reachM());
     if (inside > part.radiusM) {
         return {inside - part.radiusM, inside - part.radiusM};
     }
-    return furrow::roomAround(pose, part.shape, part.radiusM, edges_);
+    return furrow::roomAround(pose, part.shape, part.radiusM, edges);
 }
 
 FootprintRoom Rig::roomAt(const RigState& state) const {
-    const FootprintRoom tractor = roomAround(tractor_, state.tractor);
-    if (!trailer_) {
-        return tractor;
+    FootprintRoom least = roomAround(parts_.front(), poseOf(parts_.front(), state));
+    for (const Part& part : parts_ | std::views::drop(1)) {
+        const FootprintRoom room = roomAround(part, poseOf(part, state));
+        least = {std::min(least.edgesM, room.edgesM), std::min(least.cornersM, room.cornersM)};
     }
-    const FootprintRoom trailed = roomAround(trailed_, trailer_->poseOf(state.tractor, state.implement));
-    return {std::min(tractor.edgesM, trailed.edgesM), std::min(tractor.cornersM, trailed.cornersM)};
+    return least;
 }
 
 double Rig::crossedM(const Part& part, const Pose& pose) const {
-    if (edges_.insideM(pose.position).value_or(edges_.reachM()) > part.radiusM) {
+    const BoundaryDistance& edges = edgesFor(part);
+    if (edges.insideM(pose.position).value_or(edges.reachM()) > part.radiusM) {
         return 0.0;
     }
-    return edges_.crossedM(pose.position, placed(part.shape, pose));
+    return edges.crossedM(pose.position, placed(part.shape, pose));
 }
 
 double Rig::crossedM(const RigState& state) const {
-    const double tractor = crossedM(tractor_, state.tractor);
-    return trailer_ ? std::max(tractor, crossedM(trailed_, trailer_->poseOf(state.tractor, state.implement)))
-                    : tractor;
+    double deepest = 0.0;
+    for (const Part& part : parts_) {
+        deepest = std::max(deepest, crossedM(part, poseOf(part, state)));
+    }
+    return deepest;
 }
 
 double Rig::roomM(const RigState& state) const {
@@ -113,17 +119,16 @@ bool Rig::isClearAhead(const Part& part, const Pose& pose, double wayM, double t
     swept.min.x = std::min(swept.min.x, 0.0) + std::min(wayM, 0.0);
     swept.max.x = std::max(swept.max.x, 0.0) + std::max(wayM, 0.0);
     // A shape that begins inside and crosses no edge stays inside.
-    return swept.height() < 2.0 * edges_.reachM() && edges_.insideM(pose.position).value_or(0.0) >= 0.0 &&
-           !edges_.reachInto(pose.position, direction(pose.heading.si()), swept, touchingM);
+    const BoundaryDistance& edges = edgesFor(part);
+    return swept.height() < 2.0 * edges.reachM() && edges.insideM(pose.position).value_or(0.0) >= 0.0 &&
+           !edges.reachInto(pose.position, direction(pose.heading.si()), swept, touchingM);
 }
 
 bool Rig::isClearAhead(const RigState& state, double wayM, double touchingM) const {
-    if (!trailer_) {
-        return isClearAhead(tractor_, state.tractor, wayM, touchingM);
-    }
-    const bool isInLine = std::abs((state.implement - state.tractor.heading).si()) < kInLineRad;
-    return isInLine && isClearAhead(tractor_, state.tractor, wayM, touchingM) &&
-           isClearAhead(trailed_, trailer_->poseOf(state.tractor, state.implement), wayM, touchingM);
+    const bool isInLine = !trailer_ || std::abs((state.implement - state.tractor.heading).si()) < kInLineRad;
+    return isInLine && std::ranges::all_of(parts_, [&](const Part& part) {
+               return isClearAhead(part, poseOf(part, state), wayM, touchingM);
+           });
 }
 
 std::optional<RigState> Rig::driven(const RigState& from, const CurvePiece& piece, Length touching,
@@ -135,8 +140,8 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& pi
                                       FootprintRoom& room) const {
     // No point moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
-    const double swings = std::max(1.0 + bent * tractor_.radiusM,
-                                   trailer_ ? 1.0 + trailed_.radiusM / trailer_->trailingM : 0.0);
+    const double swings =
+        std::max(1.0 + bent * tractorRadiusM_, trailer_ ? 1.0 + trailedRadiusM_ / trailer_->trailingM : 0.0);
     const bool isStraight = bent == 0.0;
     const auto freeWay = [&] {
         const double alongEdges =
@@ -197,8 +202,13 @@ std::optional<RigState> Rig::driven(const RigState& from, const Curve& turn, Foo
 }
 
 bool Rig::mayStandAt(Point point, Length clearance) const {
-    const auto inside = edges_.insideM(point);
-    return !inside || *inside >= std::max(0.5 * machine_.spec().tractor.width, clearance).si() - kContactM;
+    const auto isClear = [point](const BoundaryDistance& edges, Length least) {
+        const auto inside = edges.insideM(point);
+        return !inside || *inside >= least.si() - kContactM;
+    };
+    const Length wheels = 0.5 * machine_.spec().tractor.width;
+    return edges_.hasOverhang() ? isClear(edges_.tractor(), wheels) && isClear(edges_.implement(), clearance)
+                                : isClear(edges_.tractor(), std::max(wheels, clearance));
 }
 
 }  // namespace furrow

@@ -1,14 +1,18 @@
 #pragma once
 
+#include "planner/field/allowed_areas.h"
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/curve.h"
 #include "planner/machine/machine.h"
+#include "planner/turns/allowed_edges.h"
 #include "planner/turns/footprint_check.h"
+#include "planner/turns/rig_parts.h"
 #include "planner/turns/trailer.h"
 
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace furrow {
 
@@ -20,14 +24,11 @@ struct RigState {
     friend bool operator==(const RigState&, const RigState&) = default;
 };
 
-enum class ImplementAt { Raised, Lowered };
-
-/// Tractor and implement in a bounded space. A trailed implement follows its hitch on its own track (a
+/// Tractor and implement, each in its own area. A trailed implement follows its hitch on its own track (a
 /// tractrix). Immutable; thread-safe.
 class Rig {
 public:
-    /// @param drivable  area for both
-    Rig(const MultiPolygon& drivable, const Machine& machine, ImplementAt implement = ImplementAt::Raised);
+    Rig(const AllowedAreas& areas, const Machine& machine, ImplementAt implement = ImplementAt::Raised);
 
     const Machine& machine() const { return machine_; }
     /// The same with room for steering in its turns.
@@ -69,8 +70,18 @@ private:
         Ring shape;
         double radiusM = 0.0;
         Bounds box;  ///< around it
+        bool isTrailed = false;
+        bool mayOverhang = false;
     };
-    static Part partOf(Ring shape);
+    static std::vector<Part> partsOf(const Machine& machine, ImplementAt implement, bool overhangs);
+    /// The largest radius of the parts that the tractor or the hitch carries.
+    double radiusM(bool isTrailed) const;
+    const BoundaryDistance& edgesFor(const Part& part) const {
+        return part.mayOverhang ? edges_.implement() : edges_.tractor();
+    }
+    Pose poseOf(const Part& part, const RigState& state) const {
+        return part.isTrailed ? trailer_->poseOf(state.tractor, state.implement) : state.tractor;
+    }
     FootprintRoom roomAround(const Part& part, const Pose& pose) const;
     /// Whether a part is known to stay inside if it goes straight on, or back if `wayM` is negative.
     bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;
@@ -78,16 +89,17 @@ private:
     /// @param room  at `from`, then at the end; never more than the real room
     std::optional<RigState> drivenOn(const RigState& from, const CurvePiece& piece, Length touching,
                                      FootprintRoom& room) const;
-    /// The depth of the field's edges in a part, or in both parts.
+    /// The depth of the field's edges in a part, or in all parts.
     double crossedM(const Part& part, const Pose& pose) const;
     double crossedM(const RigState& state) const;
 
     Machine machine_;
     Machine steered_;
     std::optional<Trailer> trailer_;
-    Part tractor_;  ///< with the implement if that is mounted
-    Part trailed_;  ///< with its hitch at the origin
-    BoundaryDistance edges_;
+    std::vector<Part> parts_;
+    double tractorRadiusM_;  ///< of what the tractor carries
+    double trailedRadiusM_;  ///< of what the hitch carries
+    AllowedEdges edges_;
 };
 
 }  // namespace furrow

@@ -1,5 +1,6 @@
 #include "planner/turns/trailer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,10 +32,14 @@ std::optional<Trailer> Trailer::of(const Machine& machine) {
     if (implement.mounting != Mounting::Trailed || trailingM <= kLeastTrailingM) {
         return std::nullopt;
     }
-    return Trailer{.hitchM = implement.hitchOffset.si(),
-                   .trailingM = trailingM,
-                   .raised = outlineOf(implement, implement.raisedWidth.value_or(implement.operatingWidth)),
-                   .lowered = outlineOf(implement, implement.operatingWidth)};
+    const Length raised = implement.raisedWidth.value_or(implement.operatingWidth);
+    return Trailer{
+        .hitchM = implement.hitchOffset.si(),
+        .trailingM = trailingM,
+        .raised = outlineOf(implement, raised),
+        .lowered = outlineOf(implement, implement.operatingWidth),
+        .wheels =
+            outlineOf(implement, std::min({machine.spec().tractor.width, implement.operatingWidth, raised}))};
 }
 
 Pose Trailer::poseOf(const Pose& tractor, Angle heading) const {

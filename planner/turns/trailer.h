@@ -14,6 +14,7 @@ struct Trailer {
     double trailingM = 0.0;  ///< from the hitch to the working line
     Ring raised;             ///< its outline with the hitch at the origin, drawbar to +x
     Ring lowered;
+    Ring wheels;  ///< a box as long as the implement, as wide as the tractor or the narrower implement
 
     /// Empty if the implement is mounted, or so close behind its hitch that it swings with the tractor.
     static std::optional<Trailer> of(const Machine& machine);

@@ -133,7 +133,10 @@ public:
     void setEdgeHeadland(Length width);
     /// As wide as elsewhere again.
     Q_INVOKABLE void clearEdgeHeadland();
+    /// None with 0.
+    void setEdgeOverhang(Length overhang);
     void setBuffer(Length buffer);
+    void setObstacleOverhang(Length overhang);
     void setPassable(bool passable);
     void setGateWidth(Length width);
     void setName(const QString& name);

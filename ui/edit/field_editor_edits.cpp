@@ -365,7 +365,8 @@ void FieldEditor::setEdgeHeadland(Length width) {
     if (const ProjectField* field = project().field();
         field != nullptr && selection_.kind == Selection::Kind::Edge) {
         changeSource(QT_TR_NOOP("Change the headland of an edge"),
-                     withEdgeHeadland(*field->source, selection_.outline, selection_.index, width),
+                     withEdgeWidth(*field->source, &FieldSource::edgeHeadlands, selection_.outline,
+                                   selection_.index, width),
                      Document::Follows::Nothing);
     }
 }
@@ -374,8 +375,20 @@ void FieldEditor::clearEdgeHeadland() {
     if (const ProjectField* field = project().field();
         field != nullptr && selection_.kind == Selection::Kind::Edge) {
         changeSource(QT_TR_NOOP("Headland of an edge as elsewhere"),
-                     withEdgeHeadland(*field->source, selection_.outline, selection_.index, std::nullopt),
+                     withEdgeWidth(*field->source, &FieldSource::edgeHeadlands, selection_.outline,
+                                   selection_.index, std::nullopt),
                      Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setEdgeOverhang(Length overhang) {
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Edge) {
+        changeSource(
+            QT_TR_NOOP("Change the overhang of an edge"),
+            withEdgeWidth(*field->source, &FieldSource::edgeOverhangs, selection_.outline, selection_.index,
+                          overhang > Length{} ? std::optional{overhang} : std::nullopt),
+            Document::Follows::Nothing);
     }
 }
 
@@ -385,6 +398,16 @@ void FieldEditor::setBuffer(Length buffer) {
         FieldSource source = *field->source;
         source.obstacles[selection_.outline.item].buffer = buffer;
         changeSource(QT_TR_NOOP("Change the buffer"), std::move(source), Document::Follows::Nothing);
+    }
+}
+
+void FieldEditor::setObstacleOverhang(Length overhang) {
+    if (const ProjectField* field = project().field();
+        field != nullptr && selection_.kind == Selection::Kind::Obstacle) {
+        FieldSource source = *field->source;
+        source.obstacles[selection_.outline.item].overhang = overhang;
+        changeSource(QT_TR_NOOP("Change the overhang of an obstacle"), std::move(source),
+                     Document::Follows::Nothing);
     }
 }
 

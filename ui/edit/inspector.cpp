@@ -91,7 +91,9 @@ void Inspector::setNumber(int row, double number) {
         case InspectorField::EdgeLength: editor_->setEdgeLength(metres(number)); break;
         case InspectorField::EdgeBearing: editor_->setEdgeHeading(degrees(90.0 - number)); break;
         case InspectorField::EdgeHeadland: editor_->setEdgeHeadland(metres(number)); break;
+        case InspectorField::EdgeOverhang: editor_->setEdgeOverhang(metres(number)); break;
         case InspectorField::Buffer: editor_->setBuffer(metres(number)); break;
+        case InspectorField::ObstacleOverhang: editor_->setObstacleOverhang(metres(number)); break;
         case InspectorField::GateWidth: editor_->setGateWidth(metres(number)); break;
         case InspectorField::Name:
         case InspectorField::None: break;

@@ -94,6 +94,11 @@ QString splitSentence() {
         "The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.");
 }
 
+/// How far the implement may stand over an edge or an obstacle.
+InspectorRow overhangRow(InspectorField field, Length overhang) {
+    return numberRow(Words::tr("Overhang"), field, overhang.si(), QuantityText::Length, 2, 0.0, 100.0);
+}
+
 /// How wide the headland along an edge of the field is: as said for it, or as wide as the plan has it.
 std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, const FieldSource* source,
                                     const Plan* plan) {
@@ -101,7 +106,7 @@ std::optional<Length> headlandAlong(const Outline& outline, std::size_t edge, co
     if (source == nullptr || (id.kind != OutlineKind::Boundary && id.kind != OutlineKind::Hole)) {
         return std::nullopt;
     }
-    if (const EdgeWidth* own = findEdgeHeadland(*source, id, edge)) {
+    if (const EdgeWidth* own = findEdgeWidth(*source, &FieldSource::edgeHeadlands, id, edge)) {
         return own->width;
     }
     if (plan == nullptr) {
@@ -136,7 +141,14 @@ InspectorText edgeText(const Outline& outline, std::size_t edge, const FieldSour
     if (const auto headland = headlandAlong(outline, edge, source, plan)) {
         text.rows.push_back(numberRow(Words::tr("Headland"), InspectorField::EdgeHeadland, headland->si(),
                                       QuantityText::Length, 2, 0.0, 500.0));
-        text.hasOwnHeadland = findEdgeHeadland(*source, outline.id, edge) != nullptr;
+        text.hasOwnHeadland =
+            findEdgeWidth(*source, &FieldSource::edgeHeadlands, outline.id, edge) != nullptr;
+    }
+    if (source != nullptr &&
+        (outline.id.kind == OutlineKind::Boundary || outline.id.kind == OutlineKind::Hole)) {
+        const EdgeWidth* own = findEdgeWidth(*source, &FieldSource::edgeOverhangs, outline.id, edge);
+        text.rows.push_back(
+            overhangRow(InspectorField::EdgeOverhang, own == nullptr ? Length{} : own->width));
     }
     return text;
 }
@@ -151,6 +163,10 @@ InspectorText obstacleText(const Outline& outline, const Obstacle& obstacle) {
                  numberRow(Words::tr("Buffer"), InspectorField::Buffer, obstacle.buffer.si(),
                            QuantityText::Length, 2, 0.0, 1000.0),
                  figure(Words::tr("Area"), areaText(areaOf(outline)))};
+    if (!obstacle.passable) {
+        text.rows.insert(text.rows.end() - 1,
+                         overhangRow(InspectorField::ObstacleOverhang, obstacle.overhang));
+    }
     text.passable = obstacle.passable;
     return text;
 }

@@ -21,7 +21,9 @@ enum class InspectorField {
     EdgeLength,
     EdgeBearing,
     EdgeHeadland,
+    EdgeOverhang,
     Buffer,
+    ObstacleOverhang,
     GateWidth
 };
 

@@ -27,16 +27,17 @@ VectorLayer boundaryLayer(const ExportJob& job) {
 }
 
 VectorLayer obstacleLayer(const ExportJob& job) {
-    VectorLayer layer{"obstacles",
-                      Shape::Polygons,
-                      {kKind, kName, {"passable", Kind::Whole, 1}, {"buffer_m", Kind::Real}},
-                      {}};
+    VectorLayer layer{
+        "obstacles",
+        Shape::Polygons,
+        {kKind, kName, {"passable", Kind::Whole, 1}, {"buffer_m", Kind::Real}, {"overhang_m", Kind::Real}},
+        {}};
     for (const FieldContent& content : job.fields) {
         for (const Obstacle& obstacle : content.field.obstacles) {
             layer.features.push_back(
                 {.polygons = {obstacle.outline},
                  .values = {"obstacle", obstacle.name, std::int64_t{obstacle.passable ? 1 : 0},
-                            obstacle.buffer.si()}});
+                            obstacle.buffer.si(), obstacle.overhang.si()}});
         }
     }
     return layer;

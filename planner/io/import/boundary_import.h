@@ -16,8 +16,9 @@ namespace furrow {
 ///
 /// A feature with polygons is a field; several polygons in it are parts of one field. Where a file has no
 /// polygon, lines that end where they begin are taken. Features that say what they are in an attribute
-/// `kind`, as a written plan does, are read as that: `field`; `obstacle` (passable, buffer_m, name) and
-/// `gate` (width_m, name), which go to the field they lie in; every other kind of a plan is passed over.
+/// `kind`, as a written plan does, are read as that: `field`; `obstacle` (passable, buffer_m, overhang_m,
+/// name) and `gate` (width_m, name), which go to the field they lie in; every other kind of a plan is passed
+/// over.
 ///
 /// @return at least one field, in the order of the file, not checked yet: coordinates that are not finite
 ///         are still in it. Rings that do not end where they begin are closed, with a note. Each has an id

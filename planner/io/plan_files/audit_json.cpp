@@ -44,6 +44,8 @@ std::string auditJson(const AuditReport& report, std::span<const Finding> findin
              {"overlap_headland_m2", orNull(report.overlapHeadland)},
              {"outside_m2", orNull(report.outside)},
              {"min_clearance_m", orNull(report.minClearance)},
+             {"overhang_m2", report.overhangArea.si()},
+             {"overhang_m", report.overhang.si()},
              {"max_curvature_1pm", orNull(report.maxCurvature)},
              {"max_curvature_mismatch_1pm", orNull(report.maxCurvatureMismatch)},
              {"max_curvature_rate_1pm2", orNull(report.maxCurvatureRate)},

@@ -110,6 +110,10 @@ public:
                     mainland = polygonsOf(geometry, frame_);
                 } else if (kind == "left_on_purpose") {
                     std::ranges::move(polygonsOf(geometry, frame_), std::back_inserter(leftOnPurpose));
+                } else if (kind == "overhung") {
+                    MultiPolygon read = polygonsOf(geometry, frame_);
+                    overhung = overhung.value_or(MultiPolygon{});
+                    std::ranges::move(read, std::back_inserter(*overhung));
                 } else if (kind == "headland") {
                     hasHeadland = true;
                 }
@@ -131,6 +135,7 @@ public:
     std::vector<SwathFeature> swaths;      ///< in driving order, headland passes among them
     MultiPolygon mainland;
     MultiPolygon leftOnPurpose;
+    std::optional<MultiPolygon> overhung;
     bool hasHeadland = false;
 
 private:
@@ -310,6 +315,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
         headlandDriven = headlandDriven || segment.kind == SegmentKind::HeadlandPass;
     }
     plan.leftOnPurpose = std::move(features.leftOnPurpose);
+    plan.overhung = std::move(features.overhung);
     if (features.hasHeadland && !features.mainland.empty() && !headlandDriven) {
         plan.mainland = std::move(features.mainland);
     }
@@ -319,6 +325,7 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
 AuditInput auditInput(const WrittenPlan& plan) {
     return {.workable = plan.workable,
             .drivable = plan.drivable,
+            .overhung = plan.overhung,
             .gates = plan.gates,
             .machine = plan.machine,
             .segments = plan.segments,

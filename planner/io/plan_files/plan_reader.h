@@ -24,6 +24,7 @@ struct WrittenPlan {
     std::optional<MultiPolygon> mainland;  ///< where the strip around it is not driven
     Length margin;
     MultiPolygon leftOnPurpose;
+    std::optional<MultiPolygon> overhung;  ///< as of AuditInput
     bool mayLeaveField = false;
     bool statedMotion = true;  ///< headings, speeds and times were read, not only lines
     Length positionRounding;

@@ -276,6 +276,7 @@ private slots:
         FieldSource source = field();
         source.edgeHeadlands = {{.part = 0, .ring = 0, .edge = 1, .width = metres(18.0)},
                                 {.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}};
+        source.edgeOverhangs = source.edgeHeadlands;
         const GeoRing before = source.parts.front().outer;
         GeoRing after;
         for (const int point : points) {
@@ -294,6 +295,7 @@ private slots:
         // That of the hole is where it was.
         QVERIFY(std::ranges::contains(changed.edgeHeadlands,
                                       EdgeWidth{.part = 0, .ring = 1, .edge = 1, .width = metres(6.0)}));
+        QVERIFY(changed.edgeOverhangs == changed.edgeHeadlands);
     }
 };
 

@@ -47,7 +47,7 @@ Curve roundedAlong(const Polygon& field) {
 }
 
 Ring followed(const Curve& line, const Polygon& field, std::span<const Point> left = {}) {
-    const BoundaryDistance edges{{field}, metres(10.0)};
+    const AllowedEdges edges{MultiPolygon{field}, metres(10.0)};
     return followingTheEdge(line, edges, agbot(), {.beside = {}, .leftOut = left, .aroundM = 6.0});
 }
 

@@ -39,7 +39,7 @@ struct Ground {
         : field{fieldFrom(polygons)}, drivable{drivableArea(field, {}, {}).value()}, machine{driven} {}
 
     Field field;
-    MultiPolygon drivable;
+    AllowedAreas drivable;
     Machine machine;
     Settings settings;
     PassTask task() const {
@@ -67,7 +67,7 @@ Ring grown(const Bounds& box, double by) {
 
 /// Whether the lowered machine is inside at the ends of a line, to a centimetre.
 bool endsInside(const Curve& line, const Ground& ground) {
-    const PreparedArea area{dilated(ground.drivable, metres(0.01), metres(0.001), {}).value()};
+    const PreparedArea area{dilated(ground.drivable.tractor(), metres(0.01), metres(0.001), {}).value()};
     for (const Pose& pose : {line.start, line.end()}) {
         const Point nose = direction(pose.heading.si());
         Polyline outline;

@@ -22,9 +22,11 @@ inline FieldSource sampleSource() {
                        .outline = {.outer = {{22.504, 58.2515}, {22.505, 58.2515}, {22.505, 58.252}},
                                    .holes = {}},
                        .passable = true,
-                       .buffer = metres(2.5)}},
+                       .buffer = metres(2.5),
+                       .overhang = metres(3.5)}},
         .gates = {{.name = "Road", .position = {22.5, 58.251}, .width = metres(6.0)}},
         .edgeHeadlands = {{.part = 0, .ring = 0, .edge = 1, .width = metres(18.0)}},
+        .edgeOverhangs = {{.part = 0, .ring = 1, .edge = 2, .width = metres(4.5)}},
         .boundaryAccuracy = metres(0.02),
         .repairs = {}};
 }

@@ -243,7 +243,7 @@ private slots:
         QVERIFY(!migrated({}, 4, steps, "x"));
     }
     // Headlands of its edges go with a hole; those of later holes stay with them.
-    void aHoleTakesItsHeadlandsAlong() {
+    void aHoleTakesItsHeadlandsAndOverhangsAlong() {
         FieldSource source = sampleSource();
         const GeoRing hole{{22.5021, 58.2511}, {22.5022, 58.2511}, {22.5022, 58.2512}};
         source.parts.front().holes = {hole, hole, hole};
@@ -254,11 +254,13 @@ private slots:
                                             .edge = ring % 3,
                                             .width = metres(10.0 + static_cast<double>(ring))});
         }
+        source.edgeOverhangs = source.edgeHeadlands;
         const Project project = withoutHole(withFields(Project::empty(), {source}), 0, 1);
         const std::vector<EdgeWidth> expected{{.part = 0, .ring = 0, .edge = 0, .width = metres(10.0)},
                                               {.part = 0, .ring = 1, .edge = 1, .width = metres(11.0)},
                                               {.part = 0, .ring = 2, .edge = 0, .width = metres(13.0)}};
         QVERIFY(project.field()->source->edgeHeadlands == expected);
+        QVERIFY(project.field()->source->edgeOverhangs == expected);
     }
     /// Files that were saved by earlier versions, one folder for each format.
     void storedProjectsAreRead() {
@@ -272,6 +274,8 @@ private slots:
         FieldSource source = sampleSource();
         // Came later.
         source.edgeHeadlands.clear();
+        source.edgeOverhangs.clear();
+        source.obstacles.front().overhang = {};
         QVERIFY(*field.source == source);
         QCOMPARE(field.plans.size(), std::size_t{2});
         QCOMPARE(field.plans.front().name, std::string{"Spring drilling"});

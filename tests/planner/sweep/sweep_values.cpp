@@ -17,17 +17,12 @@ using Maker = std::function<std::optional<std::string>(const SweepSite&)>;
 
 // What people type, where it is not a default: little, as usual, much.
 const std::map<std::string_view, std::vector<std::string>> kNumbers{
-    {"field.margin_m", {"0.1", "0.5", "2"}},
-    {"headland.width_m", {"0", "15", "40"}},
-    {"headland.passes", {"0", "1", "2", "3", "4"}},
-    {"swaths.overlap_m", {"0.05", "0.3"}},
-    {"swaths.angle_deg", {"33", "90", "-45"}},
-    {"swaths.step_deg", {"0.5", "5", "45"}},
-    {"swaths.tramline_every", {"2", "3", "4"}},
-    {"swaths.round_up_to_m", {"0", "5", "20"}},
-    {"swaths.edge", {"1", "2", "9999"}},
-    {"route.cluster", {"2", "3", "10"}},
-    {"route.skip", {"2", "3", "8"}},
+    {"field.margin_m", {"0.1", "0.5", "2"}},    {"field.overhang_m", {"0.5", "6"}},
+    {"headland.width_m", {"0", "15", "40"}},    {"headland.passes", {"0", "1", "2", "3", "4"}},
+    {"swaths.overlap_m", {"0.05", "0.3"}},      {"swaths.angle_deg", {"33", "90", "-45"}},
+    {"swaths.step_deg", {"0.5", "5", "45"}},    {"swaths.tramline_every", {"2", "3", "4"}},
+    {"swaths.round_up_to_m", {"0", "5", "20"}}, {"swaths.edge", {"1", "2", "9999"}},
+    {"route.cluster", {"2", "3", "10"}},        {"route.skip", {"2", "3", "8"}},
 };
 
 SweepValue made(std::string label, Maker text, bool mustBeTold = false) {

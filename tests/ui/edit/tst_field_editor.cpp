@@ -360,6 +360,26 @@ private slots:
         QVERIFY(bench.source().edgeHeadlands.empty());
         QVERIFY(!bench.inspector.hasOwnHeadland());
     }
+    void edgesAndObstaclesHaveOverhangs() {
+        Bench bench;
+        bench.click(bench.corner(0) + 0.3 * (bench.corner(1) - bench.corner(0)));
+        const int row = bench.row(QStringLiteral("Overhang"));
+        QCOMPARE(bench.inspector.data(bench.inspector.index(row), Inspector::NumberRole).toDouble(), 0.0);
+        bench.inspector.setNumber(row, 6.0);
+        QCOMPARE(bench.source().edgeOverhangs.size(), std::size_t{1});
+        QVERIFY(bench.source().edgeOverhangs.front() ==
+                (EdgeWidth{.part = 0, .ring = 0, .edge = 0, .width = metres(6.0)}));
+        QVERIFY(bench.source().edgeHeadlands.empty());
+        bench.inspector.setNumber(bench.row(QStringLiteral("Overhang")), 0.0);
+        QVERIFY(bench.source().edgeOverhangs.empty());
+        bench.session.document()->undo();
+        QCOMPARE(bench.source().edgeOverhangs.size(), std::size_t{1});
+        bench.draw(FieldEditor::Tool::Obstacle, {{20, 20}, {60, 20}, {40, 60}});
+        bench.inspector.setNumber(bench.row(QStringLiteral("Overhang")), 4.5);
+        QCOMPARE(bench.source().obstacles.front().overhang.si(), 4.5);
+        bench.session.document()->undo();
+        QCOMPARE(bench.source().obstacles.front().overhang.si(), 0.0);
+    }
     void theBufferHasAHandle() {
         Bench bench;
         bench.draw(FieldEditor::Tool::Obstacle, {{20, 20}, {60, 20}, {40, 60}});

@@ -69,9 +69,12 @@ void addFieldFeatures(const FieldSource& source, Area area, Json& features) {
          {"boundary_accuracy_m", source.boundaryAccuracy.si()}},
         polygonGeometry(source.parts));
     for (const Obstacle& obstacle : source.obstacles) {
-        add("obstacle",
-            {{"name", obstacle.name}, {"passable", obstacle.passable}, {"buffer_m", obstacle.buffer.si()}},
-            polygonGeometry({obstacle.outline}));
+        Json about{
+            {"name", obstacle.name}, {"passable", obstacle.passable}, {"buffer_m", obstacle.buffer.si()}};
+        if (obstacle.overhang != Length{}) {
+            about["overhang_m"] = obstacle.overhang.si();
+        }
+        add("obstacle", std::move(about), polygonGeometry({obstacle.outline}));
     }
     for (const Gate& gate : source.gates) {
         add("gate", {{"name", gate.name}, {"width_m", gate.width.si()}}, pointGeometry(gate.position));

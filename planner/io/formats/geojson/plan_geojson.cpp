@@ -26,7 +26,10 @@ public:
         addHeadlandPasses();
         addSwaths();
         addPath();
-        addLeftOnPurpose();
+        addAreas("left_on_purpose", plan_.leftOnPurpose);
+        if (plan_.overhung) {
+            addAreas("overhung", *plan_.overhung);
+        }
         addMissed();
         addFindings();
         return geoJsonText(std::move(features_));
@@ -133,16 +136,15 @@ private:
         }
     }
 
-    void addLeftOnPurpose() {
+    void addAreas(std::string_view kind, const MultiPolygon& polygons) {
         MultiPolygon written;
-        for (const Polygon& polygon : plan_.leftOnPurpose) {
+        for (const Polygon& polygon : polygons) {
             // As it was drawn, to the last digit, wherever that can be read again.
             std::ranges::move(survivesWriting(polygon) ? MultiPolygon{polygon} : plain({polygon}),
                               std::back_inserter(written));
         }
         for (const Polygon& polygon : written) {
-            add("left_on_purpose", {{"area_m2", area(polygon).si()}},
-                polygonGeometry({frame_.toGeo(polygon)}));
+            add(kind, {{"area_m2", area(polygon).si()}}, polygonGeometry({frame_.toGeo(polygon)}));
         }
     }
 

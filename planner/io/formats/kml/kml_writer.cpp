@@ -138,6 +138,9 @@ void addFields(KmlText& kml, const ExportJob& job) {
             pugi::xml_node mark = kml.placemark(obstacle.name, "obstacle", "obstacle");
             kml.data("passable", obstacle.passable ? "1" : "0");
             kml.data("buffer_m", std::format("{}", obstacle.buffer.si()));
+            if (obstacle.overhang != Length{}) {
+                kml.data("overhang_m", std::format("{}", obstacle.overhang.si()));
+            }
             KmlText::polygons(mark, {obstacle.outline});
         }
     }

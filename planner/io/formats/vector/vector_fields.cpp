@@ -22,8 +22,8 @@ namespace {
 
 // Of a written plan's features; a file of others may use the attribute for something else.
 constexpr std::string_view kKinds[] = {
-    "field", "obstacle", "gate",    "headland", "mainland",        "cell", "headland_pass", "swath",
-    "path",  "missed",   "finding", "guidance", "left_on_purpose", "hole"};
+    "field", "obstacle", "gate",    "headland", "mainland",        "cell",     "headland_pass", "swath",
+    "path",  "missed",   "finding", "guidance", "left_on_purpose", "overhung", "hole"};
 
 // Of a drawing's layers, in capitals or not.
 constexpr std::pair<std::string_view, std::string_view> kDrawingLayers[] = {
@@ -83,6 +83,10 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>
     if (!buffer) {
         return std::unexpected(buffer.error());
     }
+    const Result<Length> overhang = lengthIn(feature, "overhang_m", where);
+    if (!overhang) {
+        return std::unexpected(overhang.error());
+    }
     if (!feature.hasGeometry()) {
         return std::unexpected(inputRefused(where, "it has no shape", "draw it, or remove it from the file"));
     }
@@ -108,7 +112,8 @@ Result<void> addObstacle(const VectorFeature& feature, std::vector<FieldContent>
             {.name = name,
              .outline = outline,
              .passable = passable == "1" || passable == "true" || passable == "yes",
-             .buffer = outlineBuffer});
+             .buffer = outlineBuffer,
+             .overhang = *overhang});
         if (note) {
             owner->field.repairs.push_back(*std::exchange(note, std::nullopt));
         }

@@ -109,6 +109,15 @@ private slots:
                              "[[[9.001,52.001],[9.0011,52.001],[9.0011,52.0011],[9.001,52.001]]]"));
         VERIFY_RESULT(read);
         QCOMPARE(read->front().obstacles.front().buffer.si(), 1.5);
+        QCOMPARE(read->front().obstacles.front().overhang.si(), 0.0);
+    }
+
+    void overhangsAreRead() {
+        const auto read =
+            readJson(feature(R"("kind":"obstacle","buffer_m":1.5,"overhang_m":6)", "Polygon",
+                             "[[[9.001,52.001],[9.0011,52.001],[9.0011,52.0011],[9.001,52.001]]]"));
+        VERIFY_RESULT(read);
+        QCOMPARE(read->front().obstacles.front().overhang.si(), 6.0);
     }
 
     void refusesJson_data() {
