@@ -44,9 +44,9 @@ private slots:
         QFETCH(QString, machine);
         QFETCH(double, side);
         const Machine driven = findMachine(machine.toStdString()).value();
-        const Rig rig{{{.outer = {{-500, -500}, {500, -500}, {500, 500}, {-500, 500}}, .holes = {}}},
-                      driven,
-                      ImplementAt::Lowered};
+        const Rig rig{
+            MultiPolygon{{.outer = {{-500, -500}, {500, -500}, {500, 500}, {-500, 500}}, .holes = {}}},
+            driven, ImplementAt::Lowered};
         const auto trailer = Trailer::of(driven);
         const Length look = trailer ? std::min(kLook, trailer->longestStep()) : kLook;
         const FullLockBend bend{rig, side, kRounds, look};

@@ -223,7 +223,7 @@ private slots:
             .type = {},
             .start = {.position = {30.0, 15.0}, .heading = degrees(180.0)},
             .pieces = {{.length = metres(30.0 * std::numbers::pi), .curvature = bend, .endCurvature = bend}}};
-        const auto parts = partsInside(line, {test::rectangle(60.0, 40.0)}, machine, {});
+        const auto parts = partsInside(line, MultiPolygon{test::rectangle(60.0, 40.0)}, machine, {});
         QCOMPARE(parts.size(), std::size_t{1});
         const double leftM = parts.front().length().si();
         QVERIFY2(leftM > 38.0 && leftM < 15.0 * std::numbers::pi, qPrintable(QString::number(leftM)));
