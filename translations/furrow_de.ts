@@ -5018,8 +5018,8 @@
         <translation>%1 kann diese Maschine nicht erreichen; das größte Stück, %2, liegt hier.</translation>
     </message>
     <message>
-        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
-        <translation>Das Gerät steht bis zu %1 m über den Feldrand oder ein Hindernis, wie der Überstand es erlaubt.</translation>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
+        <translation>Das Gerät steht bis zu %1 über den Feldrand oder ein Hindernis, wie der Überstand es erlaubt.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>

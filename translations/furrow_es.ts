@@ -5018,8 +5018,8 @@
         <translation>%1 quedan fuera del alcance de esta máquina; el trozo más grande, %2, está aquí.</translation>
     </message>
     <message>
-        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
-        <translation>El apero sobresale de la parcela o sobre un obstáculo, hasta %1 m, como permite el voladizo.</translation>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
+        <translation>El apero sobresale de la parcela o sobre un obstáculo, hasta %1, como permite el voladizo.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>

@@ -5018,8 +5018,8 @@
         <translation>%1 sont hors de portée de cette machine ; le plus grand morceau, %2, se trouve ici.</translation>
     </message>
     <message>
-        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
-        <translation>L&apos;outil déborde de la parcelle ou au-dessus d&apos;un obstacle, jusqu&apos;à %1 m, comme le débord le permet.</translation>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
+        <translation>L&apos;outil déborde de la parcelle ou au-dessus d&apos;un obstacle, jusqu&apos;à %1, comme le débord le permet.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>

@@ -5018,8 +5018,8 @@
         <translation>%1 kan deze machine niet bereiken; het grootste stuk, %2, ligt hier.</translation>
     </message>
     <message>
-        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
-        <translation>Het werktuig staat tot %1 m over de rand van het perceel of een obstakel, zoals de overhang toestaat.</translation>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
+        <translation>Het werktuig staat tot %1 over de rand van het perceel of een obstakel, zoals de overhang toestaat.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>

@@ -5018,8 +5018,8 @@
         <translation>%1 estão fora do alcance desta máquina; o maior pedaço, %2, fica aqui.</translation>
     </message>
     <message>
-        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
-        <translation>O implemento fica sobre a borda do talhão ou um obstáculo, em até %1 m, como o balanço permite.</translation>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
+        <translation>O implemento fica sobre a borda do talhão ou um obstáculo, em até %1, como o balanço permite.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>

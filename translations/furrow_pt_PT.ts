@@ -797,8 +797,8 @@
         <translation>indique um balanço de 0 a 100 m</translation>
     </message>
     <message>
-        <source>The implement stands over the edge of the field or an obstacle, by up to %1 m, as the overhang allows.</source>
-        <translation>A alfaia fica sobre a borda do talhão ou um obstáculo, até %1 m, como o balanço permite.</translation>
+        <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
+        <translation>A alfaia fica sobre a borda do talhão ou um obstáculo, até %1, como o balanço permite.</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,6 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
-#include "planner/path/folded_stretches.h"
 
 #include <algorithm>
 #include <atomic>
@@ -371,9 +370,11 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
     const Footprint footprint = footprintOf(*input.machine);
     const bool isTrailed = input.machine->spec().implement.mounting == Mounting::Trailed;
     const auto implementAt = [&](std::size_t i, const OpenLand& land) -> MovedPart {
-        const FootprintPart& part = input.segments[i].implementDown     ? footprint.lowered
-                                    : isDrivenFolded(input.segments, i) ? footprint.folded
-                                                                        : footprint.raised;
+        const PathSegment& segment = input.segments[i];
+        const bool isFolded = segment.folded || isWayInOrOut(input.segments, i);
+        const FootprintPart& part = segment.implementDown ? footprint.lowered
+                                    : isFolded            ? footprint.folded
+                                                          : footprint.raised;
         return {.part = part, .meter = land.meter, .group = 1};
     };
     const auto all = [&](std::size_t i) {

@@ -9,8 +9,9 @@ namespace {
 
 constexpr std::string_view kIdNames[] = {"id", "field_id", "fieldid", "parcel_id", "localid", "gml_id"};
 constexpr std::string_view kNameNames[] = {"field_name", "fieldname", "name", "field"};
-constexpr std::string_view kOtherNames[] = {"kind", "passable", "buffer_m", "width_m", "boundary_accuracy_m",
-                                            "part", "ring",     "guidance", "bearing", "layer"};
+constexpr std::string_view kOtherNames[] = {
+    "kind", "passable", "buffer_m", "overhang_m", "width_m", "boundary_accuracy_m",
+    "part", "ring",     "guidance", "bearing",    "layer"};
 
 }  // namespace
 
