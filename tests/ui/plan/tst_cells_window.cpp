@@ -73,8 +73,14 @@ class TestCellsWindow : public EditorWindowTest {
             withPlan(*session_->document()->project(), session_->planning()->machine()->machine(), settings));
         ready();
     }
-    void openStep() {
+    /// The panel brings what has the focus into view.
+    void clickStep() {
+        item(QStringLiteral("step.decomposition"))->forceActiveFocus(Qt::TabFocusReason);
+        waitForRest(*item(QStringLiteral("step.decomposition")));
         click(QStringLiteral("step.decomposition"));
+    }
+    void openStep() {
+        clickStep();
         QTRY_VERIFY(shows(QStringLiteral("cells.summary")));
         waitForRest(*item(QStringLiteral("cells.show")));
     }
@@ -167,7 +173,7 @@ class TestCellsWindow : public EditorWindowTest {
         click(QStringLiteral("cells.done"));
         QCOMPARE(cells().current(), -1);
         click(QStringLiteral("cells.show"));
-        click(QStringLiteral("step.decomposition"));
+        clickStep();
         QTRY_COMPARE(cells().current(), -1);
     }
 
@@ -215,7 +221,7 @@ private slots:
     void aFieldInOnePieceHasNoSteps() {
         DRAW_FIELD();
         QCOMPARE(cells().count(), 0);
-        click(QStringLiteral("step.decomposition"));
+        clickStep();
         QTRY_VERIFY(shows(QStringLiteral("decomposition.method")));
         QVERIFY(!shows(QStringLiteral("cells.summary")));
     }
