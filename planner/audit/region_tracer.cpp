@@ -22,7 +22,9 @@ Ring withoutFlatBends(const Ring& ring) {
     Ring kept;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point before = kept.empty() ? ring.back() : kept.back();
-        const Point along = ring[(i + 1) % ring.size()] - before;
+        // Of two equal points, one at the end and one at the beginning, the first is gone already.
+        const bool isLast = i + 1 == ring.size() && !kept.empty();
+        const Point along = (isLast ? kept.front() : ring[(i + 1) % ring.size()]) - before;
         const double length = lengthOf(along);
         if (length > 0.0 && std::abs(cross(along, ring[i] - before)) > kFlatM * length) {
             kept.push_back(ring[i]);

@@ -1,4 +1,5 @@
 #include "planner/audit/depth_sweep.h"
+#include "planner/audit/region_tracer.h"
 #include "planner/geometry/geos_bridge.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -190,6 +191,20 @@ private slots:
             QCOMPARE(once.polygons.size(), std::size_t{1});
             const auto broken = findInvalidPlace(once.polygons, {});
             QVERIFY2(broken && !*broken, broken && *broken ? (*broken)->reason.c_str() : "");
+        }
+    }
+
+    // A ring may begin and end at one corner, nanometres apart: 10 m by 10 m, the lowest row of nanometres.
+    void aCornerAtBothEndsOfTheRing() {
+        for (const double rowM : {2e-9, 5e-9, 5e-8}) {
+            RegionTracer tracer;
+            const RegionTracer::Span span{
+                .leftLow = 0.0, .leftHigh = 0.0, .rightLow = 10.0, .rightHigh = 10.0};
+            tracer.addRow(0.0, rowM, {span});
+            tracer.addRow(rowM, 10.0, {span});
+            const MultiPolygon traced = tracer.finish(1e-3);
+            QCOMPARE(traced.size(), std::size_t{1});
+            COMPARE_WITHIN(area(traced).si(), 100.0, 1e-5);
         }
     }
 
