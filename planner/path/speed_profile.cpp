@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -33,6 +34,7 @@ struct Step {
     CurvePiece piece;
     double limitMps = 0.0;
     double pauseS = 0.0;  ///< before it: the machine steers standing
+    bool steers = false;  ///< the wheels turn while it is passed, which needs all of its time
 };
 
 /// Steps of one leg in one gear. They become a segment of the path.
@@ -114,6 +116,7 @@ bool split(std::vector<Step>& steps, std::size_t index, double atM) {
     const Length way = metres(atM);
     Step second = first;
     second.pauseS = 0.0;
+    second.steers = false;
     second.from = advanced(first.from, first.piece, way);
     second.piece.curvature = first.piece.curvatureAt(way);
     second.piece.length = first.piece.length - way;
@@ -128,9 +131,11 @@ bool split(std::vector<Step>& steps, std::size_t index, double atM) {
 void slowAround(std::vector<Step>& steps, std::size_t start, double speedMps, double halfM) {
     split(steps, start, halfM);
     steps[start].limitMps = std::min(steps[start].limitMps, speedMps);
+    steps[start].steers = true;
     const bool isSplit = split(steps, start - 1, steps[start - 1].piece.length.si() - halfM);
     Step& before = steps[isSplit ? start : start - 1];
     before.limitMps = std::min(before.limitMps, speedMps);
+    before.steers = true;
 }
 
 /// Where the curvature jumps, the machine stops and steers. At a small jump it only slows down, so that the
@@ -204,10 +209,9 @@ bool jumps(const Pose& a, const Pose& b) {
     return std::abs(std::remainder((a.heading - b.heading).si(), 2.0 * std::numbers::pi)) > kHeadingJumpRad;
 }
 
-/// Speeds at the ends of every step, in order: one more than there are steps.
-std::vector<double> speedsAtEnds(std::span<const Run> runs, double acceleration) {
+/// Bounds of the speeds at the ends of every step, in order: one more than there are steps.
+std::vector<double> speedLimitsAtEnds(std::span<const Run> runs) {
     std::vector<double> speeds{0.0};
-    std::vector<double> lengths;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const bool stops =
             r > 0 && (runs[r].gear != runs[r - 1].gear || runs[r].pauseS > 0.0 || runs[r].stands ||
@@ -218,10 +222,14 @@ std::vector<double> speedsAtEnds(std::span<const Run> runs, double acceleration)
         for (const Step& step : runs[r].steps) {
             speeds.back() = step.pauseS > 0.0 ? 0.0 : std::min(speeds.back(), step.limitMps);
             speeds.push_back(step.limitMps);
-            lengths.push_back(step.piece.length.si());
         }
     }
     speeds.back() = 0.0;
+    return speeds;
+}
+
+/// The same, so that the machine can speed up and brake.
+void reach(std::vector<double>& speeds, std::span<const double> lengths, double acceleration) {
     const auto reachable = [acceleration](double fromMps, double lengthM) {
         return std::sqrt(fromMps * fromMps + 2.0 * acceleration * lengthM);
     };
@@ -231,6 +239,39 @@ std::vector<double> speedsAtEnds(std::span<const Run> runs, double acceleration)
     for (std::size_t i = lengths.size(); i > 0; --i) {
         speeds[i - 1] = std::min(speeds[i - 1], reachable(speeds[i], lengths[i - 1]));
     }
+}
+
+/// Where the wheels turn while a step is passed, it is passed at one speed: braking within it would take the
+/// time from one side of the jump. Not beside a stop.
+bool levelOut(std::vector<double>& speeds, std::span<Run> runs) {
+    bool changed = false;
+    std::size_t at = 0;
+    for (Run& run : runs) {
+        for (Step& step : run.steps) {
+            const double slowest = std::min(speeds[at], speeds[at + 1]);
+            if (step.steers && slowest > 0.0 && slowest < step.limitMps) {
+                step.limitMps = slowest;
+                changed = changed || speeds[at] != speeds[at + 1];
+                speeds[at] = slowest;
+                speeds[at + 1] = slowest;
+            }
+            ++at;
+        }
+    }
+    return changed;
+}
+
+/// Speeds at the ends of every step. Slows steps down on which the wheels turn.
+std::vector<double> speedsAtEnds(std::span<Run> runs, double acceleration) {
+    std::vector<double> lengths;
+    for (const Run& run : runs) {
+        std::ranges::transform(run.steps, std::back_inserter(lengths),
+                               [](const Step& step) { return step.piece.length.si(); });
+    }
+    std::vector<double> speeds = speedLimitsAtEnds(runs);
+    do {
+        reach(speeds, lengths, acceleration);
+    } while (levelOut(speeds, runs));
     return speeds;
 }
 
@@ -317,7 +358,7 @@ private:
 
 Path withSpeeds(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
     const double acceleration = machine.spec().tractor.maxAcceleration.si();
-    const std::vector<Run> runs = runsOf(legs, machine, steering);
+    std::vector<Run> runs = runsOf(legs, machine, steering);
     const std::vector<double> speeds = speedsAtEnds(runs, acceleration);
     PathWriter writer{acceleration};
     std::size_t at = 0;
