@@ -243,7 +243,7 @@ Result<void> Chooser::tryCorners(Best& best) {
     std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
     taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
     note(best.instead, kHeadlandCorner, taken);
-    if (!best.plan.drivable()) {
+    if (lastingCount(best.plan.driven->findings) > 0) {
         return {};
     }
     const bool isFirst = !best.nearCorners;
