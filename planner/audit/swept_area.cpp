@@ -16,7 +16,7 @@ namespace furrow {
 namespace {
 
 constexpr Length kHairWidth = metres(0.1);
-constexpr Area kWorthSplitting = squareMetres(50.0);
+constexpr Area kWorthSplitting = squareMetres(5.0);
 
 constexpr double kReachToleranceM = 0.02;
 

@@ -105,6 +105,22 @@ private slots:
         COMPARE_WITHIN(*report.coveredShare, expected.covered / 4000.0, 1e-9);
     }
 
+    /// The swath of the second lane begins 2 m late and ends 2 m early, and lies 5 cm away from the first:
+    /// two pieces of 2 x 10 m, and a hair between them that nobody works.
+    void aHairJoinsNoPieces() {
+        PathDrawer drawer{{0.0, 0.0}};
+        for (const Lane& lane :
+             {Lane{5.0, 0, 100}, Lane{15.05, 2, 98}, Lane{25.0, 0, 100}, Lane{35.0, 0, 100}}) {
+            drawer.jumpTo({lane.x0, lane.y}, 0.0);
+            drawer.begin(lane.kind, true).straight(lane.x1 - lane.x0);
+        }
+        const AuditReport report = reportOf({rectangle(100, 40)}, plainMachine(10.0), drawer.segments);
+        QCOMPARE(report.leftAreas.size(), std::size_t{2});
+        for (const Polygon& piece : report.leftAreas) {
+            COMPARE_WITHIN(area(piece).si(), 20.0, 0.3);
+        }
+    }
+
     void whatIsMissedIsAPolygon() {
         PathDrawer drawer{{0.0, 5.0}};
         drawer.begin(SegmentKind::Swath, true).straight(100.0);
