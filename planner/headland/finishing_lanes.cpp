@@ -18,7 +18,10 @@ namespace furrow {
 
 namespace {
 
-// Least gain worth lowering the implement for, as a share of the square of the width.
+// Least gain worth lowering the implement for: in a small field a share of the land that may stay, but within
+// these shares of the square of the width.
+constexpr double kLeastGainOfStay = 0.1;
+constexpr double kSmallestGainShare = 0.005;
 constexpr double kLeastGainShare = 0.02;
 constexpr double kLookM = 0.15;
 // Distance kept from an edge, so that the machine can leave it again.
@@ -191,7 +194,8 @@ FinishingLanes::FinishingLanes(const FinishingTask& task)
       runInM_{task.lowered.machine().runIn().si()} {}
 
 double FinishingLanes::leastGainM2() const {
-    return kLeastGainShare * widthM_ * widthM_;
+    return std::clamp(kLeastGainOfStay * task_.mayStay.si(), kSmallestGainShare * widthM_ * widthM_,
+                      kLeastGainShare * widthM_ * widthM_);
 }
 bool FinishingLanes::isRefused(const Curve& line) const {
     const auto isClose = [&](const Pose& a, const Pose& b) {
