@@ -164,6 +164,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         finished->driving += driven.driving;
         finished->auditing += driven.auditing;
         if (blockingCount(finished->findings) > blockingCount(driven.findings) ||
+            lastingCount(finished->findings) > lastingCount(driven.findings) ||
             outsideIn(*finished) > outsideIn(driven)) {
             const std::vector<HeadlandPass> outside = leadingOutside(finished->path, more.put);
             if (outside.empty()) {

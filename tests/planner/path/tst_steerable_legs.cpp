@@ -118,8 +118,8 @@ private slots:
     }
 
     /// Where the machine changes gear it steers standing, and that takes time.
-    /// Small steps of the curvature right before the machine stops to change gear: braking leaves the steering
-    /// its time at each.
+    /// Small steps of the curvature right before the machine stops to change gear: braking leaves the
+    /// steering its time at each.
     void brakingAcrossSmallJumps_data() {
         QTest::addColumn<double>("lastM");
         for (const double lastM : {0.05, 0.1, 0.2, 0.27, 0.4, 1.0}) {
@@ -128,11 +128,11 @@ private slots:
     }
     void brakingAcrossSmallJumps() {
         QFETCH(double, lastM);
-        const Curve line{.type = {},
-                         .start = {},
-                         .pieces = {piece(8.0, 0.0025, 0.0025), piece(0.2, 1.0 / 48.0, 1.0 / 48.0),
-                                    piece(lastM, 1.0 / 24.0, 1.0 / 24.0),
-                                    piece(5.0, 0.0, 0.0, Gear::Reverse)}};
+        const Curve line{
+            .type = {},
+            .start = {},
+            .pieces = {piece(8.0, 0.0025, 0.0025), piece(0.2, 1.0 / 48.0, 1.0 / 48.0),
+                       piece(lastM, 1.0 / 24.0, 1.0 / 24.0), piece(5.0, 0.0, 0.0, Gear::Reverse)}};
         const Machine machine = tractor();
         const Path path = withSpeeds(std::vector{leg(SegmentKind::Turn, line)}, machine);
         const Kinematics found = measureKinematics(
