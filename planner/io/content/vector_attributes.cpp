@@ -7,11 +7,11 @@ namespace furrow {
 
 namespace {
 
-constexpr std::string_view kIdNames[] = {"id", "field_id", "fieldid", "parcel_id", "localid", "gml_id"};
-constexpr std::string_view kNameNames[] = {"field_name", "fieldname", "name", "field"};
-constexpr std::string_view kOtherNames[] = {
-    "kind", "passable", "buffer_m", "overhang_m", "width_m", "boundary_accuracy_m",
-    "part", "ring",     "guidance", "bearing",    "layer"};
+/// @param name  of attributeNames()
+const std::string& valueOf(const VectorFeature& feature, std::string_view name) {
+    const auto names = attributeNames();
+    return feature.attributes[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
+}
 
 }  // namespace
 
@@ -30,14 +30,13 @@ std::span<const std::string_view> attributeNames() {
     return names;
 }
 
-const std::string& attribute(const VectorFeature& feature, std::string_view name) {
-    const auto names = attributeNames();
-    return feature.attributes[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
+const std::string& attribute(const VectorFeature& feature, AttributeName name) {
+    return valueOf(feature, name.text());
 }
 
 std::string firstAttribute(const VectorFeature& feature, std::span<const std::string_view> names) {
     for (const std::string_view name : names) {
-        if (const std::string& value = attribute(feature, name); !value.empty()) {
+        if (const std::string& value = valueOf(feature, name); !value.empty()) {
             return value;
         }
     }

@@ -31,14 +31,14 @@ constexpr std::pair<std::string_view, std::string_view> kDrawingLayers[] = {
     {"headland", "mainland"}, {"swath", "guidance"}, {"path", "path"}};
 
 /// A length attribute of an obstacle or gate, 0 where there is none.
-Result<Length> lengthIn(const VectorFeature& feature, std::string_view name, const std::string& where) {
+Result<Length> lengthIn(const VectorFeature& feature, AttributeName name, const std::string& where) {
     const std::string& text = attribute(feature, name);
     if (text.empty()) {
         return metres(0.0);
     }
     const std::optional<double> number = numberIn(text, true);
     if (!number || !std::isfinite(*number) || *number < 0.0) {
-        return std::unexpected(inputRefused(message("{}, {}", where, name),
+        return std::unexpected(inputRefused(message("{}, {}", where, name.text()),
                                             message("'{}' is no length", text), "give metres, 0 or more"));
     }
     return metres(*number);
