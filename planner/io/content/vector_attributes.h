@@ -29,7 +29,7 @@ public:
     // NOLINTNEXTLINE(google-explicit-constructor): a name is written as what it is
     consteval AttributeName(const char* name) : name_{name} {
         if (std::ranges::find(kOtherNames, name_) == std::ranges::end(kOtherNames)) {
-            throw "no attribute that is read";
+            throw name;
         }
     }
 
