@@ -37,6 +37,10 @@ std::ptrdiff_t lastingCount(std::span<const Finding> findings) {
     });
 }
 
+std::pair<std::ptrdiff_t, std::ptrdiff_t> problems(std::span<const Finding> findings) {
+    return {blockingCount(findings), lastingCount(findings)};
+}
+
 bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driven) {
     const std::ptrdiff_t lasting = lastingCount(driven.findings);
     return lasting < other.blocking ||

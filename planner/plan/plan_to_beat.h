@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace furrow {
 
@@ -49,6 +50,10 @@ Error noBetter(const Field& field);
 
 /// The number of blocking findings that finishing passes cannot mend.
 std::ptrdiff_t lastingCount(std::span<const Finding> findings);
+
+/// The number of blocking findings, then of the lasting ones among them. The lower is better: land that stays
+/// unworked is better than a machine outside of the field.
+std::pair<std::ptrdiff_t, std::ptrdiff_t> problems(std::span<const Finding> findings);
 
 /// Whether a plan with this path may beat another one. Land that it misses is counted as worked separately.
 bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driven);

@@ -56,20 +56,18 @@ Duration timeOf(const PlannedStages& plan) {
     return timeForAll(plan.request.machine, plan.driven->path, plan.driven->audit);
 }
 
-/// Blocking findings, then those of them that no finishing pass mends: land that stays unworked is better
-/// than a machine outside of the field.
-std::pair<std::ptrdiff_t, std::ptrdiff_t> problems(const PlannedStages& plan) {
-    return {plan.blockingCount(), lastingCount(plan.driven->findings)};
+auto problemsOf(const PlannedStages& plan) {
+    return problems(plan.driven->findings);
 }
 
 bool isBetter(const PlannedStages& other, const PlannedStages& plan) {
-    return problems(other) != problems(plan) ? problems(other) < problems(plan)
-                                             : timeOf(other) < timeOf(plan);
+    return problemsOf(other) != problemsOf(plan) ? problemsOf(other) < problemsOf(plan)
+                                                 : timeOf(other) < timeOf(plan);
 }
 
 /// Why a plan is better than another.
 Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
-    return problems(better) < problems(other)
+    return problemsOf(better) < problemsOf(other)
                ? Message{"it has fewer problems"}
                : message("it is {:.0f} s quicker", (timeOf(other) - timeOf(better)).si());
 }

@@ -61,6 +61,15 @@ private slots:
         QCOMPARE(lastingCount(findings), 1);
     }
 
+    void landThatStaysIsBetterThanLeavingTheField() {
+        const std::vector<Finding> missed{blocking(FindingKind::Missed)};
+        const std::vector<Finding> outside{blocking(FindingKind::Outside)};
+        const std::vector<Finding> twice{blocking(FindingKind::Missed), blocking(FindingKind::Missed)};
+        QVERIFY(problems({}) < problems(missed));
+        QVERIFY(problems(missed) < problems(outside));
+        QVERIFY(problems(outside) < problems(twice));
+    }
+
     void whatBlocksComesBeforeTime() {
         const PlanToBeat other{.blocking = 1, .time = seconds(1000.0), .finishing = {}, .left = {}};
         QVERIFY(mayBeat(other, agbot(), driven(2000.0, {})));
