@@ -16,6 +16,7 @@ namespace furrow {
 namespace {
 
 constexpr Length kHairWidth = metres(0.1);
+// A smaller piece stays one, hairs and all: no single pass is sent to its parts.
 constexpr Area kWorthSplitting = squareMetres(5.0);
 
 constexpr double kReachToleranceM = 0.02;

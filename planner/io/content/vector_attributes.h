@@ -19,6 +19,7 @@ inline constexpr std::string_view kWktNames[] = {"wkt",      "geom",    "geometr
 inline constexpr std::string_view kIdNames[] = {"id",        "field_id", "fieldid",
                                                 "parcel_id", "localid",  "gml_id"};
 inline constexpr std::string_view kNameNames[] = {"field_name", "fieldname", "name", "field"};
+/// Furrow's own.
 inline constexpr std::string_view kOtherNames[] = {
     "kind", "passable", "buffer_m", "overhang_m", "width_m", "boundary_accuracy_m",
     "part", "ring",     "guidance", "bearing",    "layer"};

@@ -70,16 +70,19 @@ private slots:
         const MultiPolygon field{test::rectangle(60.0, 40.0)};
         QVERIFY(passesOver({}, field, {}).value().empty());
         QVERIFY(passesOver({squareAt({20.0, 20.0}, 2.0)}, field, squareMetres(4.0)).value().empty());
-        // Less than is worth lowering the implement for: 0.005 of 2.5 m squared where nothing may stay, 0.02
-        // where much may.
+        // Less than is worth lowering the implement for: 0.005 of 2.5 m squared where nothing may stay.
         QVERIFY(passesOver({squareAt({20.0, 20.0}, 0.17)}, field, {}).value().empty());
-        const MultiPolygon strewn{squareAt({20.0, 20.0}, 10.0), squareAt({5.0, 5.0}, 0.35)};
-        const auto passes = passesOver(strewn, field, squareMetres(2.0));
-        VERIFY_RESULT(passes);
-        QVERIFY(!passes->empty());
-        for (const HeadlandPass& pass : *passes) {
-            QVERIFY(pass.stretches.front().line.start.position.x > 10.0);
+    }
+
+    /// 15 pieces of 0.1225 m2, far apart. They are worth a pass each if a tenth of what may stay is less.
+    void aPassIsWorthATenthOfWhatMayStay() {
+        const MultiPolygon field{test::rectangle(60.0, 40.0)};
+        MultiPolygon strewn;
+        for (int i = 0; i < 15; ++i) {
+            strewn.push_back(squareAt({5.0 + 11.0 * (i % 5) + 3.0 * (i / 5), 5.0 + 13.0 * (i / 5)}, 0.35));
         }
+        QVERIFY(passesOver(strewn, field, squareMetres(1.3)).value().empty());
+        QVERIFY(!passesOver(strewn, field, squareMetres(1.1)).value().empty());
     }
 
     /// 2.4 m square in the open: one pass of 2.5 m works it all.

@@ -117,7 +117,6 @@ private slots:
         QCOMPARE(tooFast(path, tractor()), 0);
     }
 
-    /// Where the machine changes gear it steers standing, and that takes time.
     /// Small steps of the curvature right before the machine stops to change gear: braking leaves the
     /// steering its time at each.
     void brakingAcrossSmallJumps_data() {
@@ -140,6 +139,7 @@ private slots:
         QCOMPARE(found.steering.count, 0);
     }
 
+    /// Where the machine changes gear it steers standing, and that takes time.
     void aChangeOfGearTakesTheTimeOfTheSteering() {
         const Curve turn{
             .type = {},
