@@ -5037,10 +5037,6 @@
         <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zur Innenfläche</translation>
     </message>
     <message>
-        <source>Of all patterns the one with the quickest turns for this machine.</source>
-        <translation>Von allen Mustern das mit den für diese Maschine schnellsten Wendungen.</translation>
-    </message>
-    <message>
         <source>Plan the sides of the obstacle apart.</source>
         <translation>Die Seiten des Hindernisses getrennt planen.</translation>
     </message>
@@ -5203,6 +5199,50 @@
     <message>
         <source>give a number from 0 to 3600</source>
         <translation>eine Zahl von 0 bis 3600 angeben</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Kraftstoff</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Saves</source>
+        <translation>Spart</translation>
+    </message>
+    <message>
+        <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
+        <translation>Der wenigste Kraftstoff für Wendungen und Wege; die kürzeste Zeit, wenn die Maschine keine Verbrauchswerte hat.</translation>
+    </message>
+    <message>
+        <source>The least time for turns and ways.</source>
+        <translation>Die kürzeste Zeit für Wendungen und Wege.</translation>
+    </message>
+    <message>
+        <source>The shortest turns and ways.</source>
+        <translation>Die kürzesten Wendungen und Wege.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What the order of the swaths is to save.</source>
+        <translation>Was die Reihenfolge der Spuren sparen soll.</translation>
+    </message>
+    <message>
+        <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
+        <translation>Alle Muster werden probiert und verbessert; der Plan sagt, wie nah die Reihenfolge an der besten ist.</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
+        <translation>Spurnummern, die in dieser Reihenfolge aufeinander folgen; ein Minus fährt eine in der anderen Richtung. Die Reihenfolge der übrigen wird gesucht.</translation>
     </message>
 </context>
 <context>
@@ -6372,6 +6412,14 @@
     <message>
         <source>Check</source>
         <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>proved: no order is better</source>
+        <translation>bewiesen: keine Reihenfolge ist besser</translation>
+    </message>
+    <message>
+        <source>turns within %1 of the best order</source>
+        <translation>Wendungen höchstens %1 über der besten Reihenfolge</translation>
     </message>
 </context>
 <context>

@@ -5037,10 +5037,6 @@
         <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es interior de la parcela</translation>
     </message>
     <message>
-        <source>Of all patterns the one with the quickest turns for this machine.</source>
-        <translation>De todos los patrones, el de giros más rápidos para esta máquina.</translation>
-    </message>
-    <message>
         <source>Plan the sides of the obstacle apart.</source>
         <translation>Planifique por separado los lados del obstáculo.</translation>
     </message>
@@ -5203,6 +5199,50 @@
     <message>
         <source>give a number from 0 to 3600</source>
         <translation>indique un número de 0 a 3600</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Combustible</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Saves</source>
+        <translation>Ahorra</translation>
+    </message>
+    <message>
+        <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
+        <translation>El menor combustible para giros y trayectos; el menor tiempo si la máquina no tiene datos de consumo.</translation>
+    </message>
+    <message>
+        <source>The least time for turns and ways.</source>
+        <translation>El menor tiempo para giros y trayectos.</translation>
+    </message>
+    <message>
+        <source>The shortest turns and ways.</source>
+        <translation>Los giros y trayectos más cortos.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>What the order of the swaths is to save.</source>
+        <translation>Lo que debe ahorrar el orden de las pasadas.</translation>
+    </message>
+    <message>
+        <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
+        <translation>Se prueban y mejoran todos los patrones; el plan indica lo cerca que está el orden del mejor.</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Fijas</translation>
+    </message>
+    <message>
+        <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
+        <translation>Números de pasadas que se siguen en este orden; un menos recorre una en sentido contrario. El orden de las demás se busca.</translation>
     </message>
 </context>
 <context>
@@ -6372,6 +6412,14 @@
     <message>
         <source>Check</source>
         <translation>Comprobación</translation>
+    </message>
+    <message>
+        <source>proved: no order is better</source>
+        <translation>demostrado: ningún orden es mejor</translation>
+    </message>
+    <message>
+        <source>turns within %1 of the best order</source>
+        <translation>giros a lo sumo un %1 sobre el mejor orden</translation>
     </message>
 </context>
 <context>

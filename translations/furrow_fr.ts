@@ -5037,10 +5037,6 @@
         <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste fait partie du plein champ</translation>
     </message>
     <message>
-        <source>Of all patterns the one with the quickest turns for this machine.</source>
-        <translation>De tous les motifs, celui dont les demi-tours sont les plus rapides pour cette machine.</translation>
-    </message>
-    <message>
         <source>Plan the sides of the obstacle apart.</source>
         <translation>Planifiez séparément les côtés de l’obstacle.</translation>
     </message>
@@ -5203,6 +5199,50 @@
     <message>
         <source>give a number from 0 to 3600</source>
         <translation>donner un nombre de 0 à 3600</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Carburant</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Saves</source>
+        <translation>Économise</translation>
+    </message>
+    <message>
+        <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
+        <translation>Le moins de carburant pour les demi-tours et trajets ; le moins de temps si la machine n’a pas de valeurs de consommation.</translation>
+    </message>
+    <message>
+        <source>The least time for turns and ways.</source>
+        <translation>Le moins de temps pour les demi-tours et trajets.</translation>
+    </message>
+    <message>
+        <source>The shortest turns and ways.</source>
+        <translation>Les demi-tours et trajets les plus courts.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>What the order of the swaths is to save.</source>
+        <translation>Ce que l’ordre des passages doit économiser.</translation>
+    </message>
+    <message>
+        <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
+        <translation>Tous les motifs sont essayés et améliorés ; le plan dit à quel point l’ordre est proche du meilleur.</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillés</translation>
+    </message>
+    <message>
+        <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
+        <translation>Numéros de passages qui se suivent dans cet ordre ; un moins en parcourt un dans l’autre sens. L’ordre des autres est cherché.</translation>
     </message>
 </context>
 <context>
@@ -6372,6 +6412,14 @@
     <message>
         <source>Check</source>
         <translation>Contrôle</translation>
+    </message>
+    <message>
+        <source>proved: no order is better</source>
+        <translation>prouvé : aucun ordre n’est meilleur</translation>
+    </message>
+    <message>
+        <source>turns within %1 of the best order</source>
+        <translation>demi-tours à %1 au plus du meilleur ordre</translation>
     </message>
 </context>
 <context>

@@ -5037,10 +5037,6 @@
         <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest hoort bij de binnenakker</translation>
     </message>
     <message>
-        <source>Of all patterns the one with the quickest turns for this machine.</source>
-        <translation>Van alle patronen dat met de snelste wendingen voor deze machine.</translation>
-    </message>
-    <message>
         <source>Plan the sides of the obstacle apart.</source>
         <translation>Plan de kanten van het obstakel apart.</translation>
     </message>
@@ -5203,6 +5199,50 @@
     <message>
         <source>give a number from 0 to 3600</source>
         <translation>geef een getal van 0 tot 3600</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Brandstof</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lengte</translation>
+    </message>
+    <message>
+        <source>Saves</source>
+        <translation>Bespaart</translation>
+    </message>
+    <message>
+        <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
+        <translation>De minste brandstof voor draaien en wegen; de minste tijd als de machine geen verbruikscijfers heeft.</translation>
+    </message>
+    <message>
+        <source>The least time for turns and ways.</source>
+        <translation>De minste tijd voor draaien en wegen.</translation>
+    </message>
+    <message>
+        <source>The shortest turns and ways.</source>
+        <translation>De kortste draaien en wegen.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>What the order of the swaths is to save.</source>
+        <translation>Wat de volgorde van de werkgangen moet besparen.</translation>
+    </message>
+    <message>
+        <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
+        <translation>Alle patronen worden geprobeerd en verbeterd; het plan zegt hoe dicht de volgorde bij de beste ligt.</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Vast</translation>
+    </message>
+    <message>
+        <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
+        <translation>Nummers van werkgangen die in deze volgorde op elkaar volgen; een min rijdt er een andersom. De volgorde van de andere wordt gezocht.</translation>
     </message>
 </context>
 <context>
@@ -6372,6 +6412,14 @@
     <message>
         <source>Check</source>
         <translation>Controle</translation>
+    </message>
+    <message>
+        <source>proved: no order is better</source>
+        <translation>bewezen: geen volgorde is beter</translation>
+    </message>
+    <message>
+        <source>turns within %1 of the best order</source>
+        <translation>draaien hooguit %1 boven de beste volgorde</translation>
     </message>
 </context>
 <context>

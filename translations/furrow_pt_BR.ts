@@ -5037,10 +5037,6 @@
         <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura, e o resto é interior do talhão</translation>
     </message>
     <message>
-        <source>Of all patterns the one with the quickest turns for this machine.</source>
-        <translation>De todos os padrões, aquele com as manobras mais rápidas para esta máquina.</translation>
-    </message>
-    <message>
         <source>Plan the sides of the obstacle apart.</source>
         <translation>Planeje os lados do obstáculo separadamente.</translation>
     </message>
@@ -5203,6 +5199,50 @@
     <message>
         <source>give a number from 0 to 3600</source>
         <translation>dê um número de 0 a 3600</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Combustível</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Comprimento</translation>
+    </message>
+    <message>
+        <source>Saves</source>
+        <translation>Poupa</translation>
+    </message>
+    <message>
+        <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
+        <translation>O menor combustível para manobras e trajetos; o menor tempo se a máquina não tiver dados de consumo.</translation>
+    </message>
+    <message>
+        <source>The least time for turns and ways.</source>
+        <translation>O menor tempo para manobras e trajetos.</translation>
+    </message>
+    <message>
+        <source>The shortest turns and ways.</source>
+        <translation>As manobras e trajetos mais curtos.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>What the order of the swaths is to save.</source>
+        <translation>O que a ordem das passadas deve poupar.</translation>
+    </message>
+    <message>
+        <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
+        <translation>Todos os padrões são experimentados e melhorados; o plano diz quão perto a ordem está da melhor.</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Fixas</translation>
+    </message>
+    <message>
+        <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
+        <translation>Números de passadas que se seguem nesta ordem; um menos percorre uma no outro sentido. A ordem das restantes é procurada.</translation>
     </message>
 </context>
 <context>
@@ -6372,6 +6412,14 @@
     <message>
         <source>Check</source>
         <translation>Verificação</translation>
+    </message>
+    <message>
+        <source>proved: no order is better</source>
+        <translation>provado: nenhuma ordem é melhor</translation>
+    </message>
+    <message>
+        <source>turns within %1 of the best order</source>
+        <translation>manobras no máximo %1 acima da melhor ordem</translation>
     </message>
 </context>
 <context>

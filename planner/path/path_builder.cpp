@@ -14,9 +14,6 @@ namespace furrow {
 namespace {
 
 constexpr double kSameHeadingRad = 1e-9;
-// A searched way longer than 8 radii plus 4 widths is a transfer, not a turn.
-constexpr double kTransferRadii = 8.0;
-constexpr double kTransferWidths = 4.0;
 
 bool isSamePose(const Pose& a, const Pose& b) {
     return distance(a.position, b.position) < kMeetM &&
@@ -45,8 +42,7 @@ WayFinder waysBy(TurnPlanner* turn, const Machine& machine) {
 Result<std::vector<Leg>> joinedLegs(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
                                     const JobContext& job) {
     const std::size_t gaps = legs.empty() ? 0 : legs.size() - 1;
-    const Length longest =
-        kTransferRadii * machine.minTurningRadius() + kTransferWidths * machine.operatingWidth();
+    const Length longest = longestTurn(machine);
     auto ways = parallelMap<std::optional<Leg>>(
         gaps,
         [&](std::size_t i) -> std::optional<Leg> {

@@ -1,6 +1,5 @@
 #include "planner/plan/drive_stage.h"
 
-#include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/folded_stretches.h"
@@ -8,7 +7,7 @@
 #include "planner/path/lifted_legs.h"
 #include "planner/plan/finish_stage.h"
 #include "planner/plan/gate_legs.h"
-#include "planner/plan/general_parameters.h"
+#include "planner/plan/ways_room.h"
 
 #include <algorithm>
 #include <iterator>
@@ -58,51 +57,19 @@ Result<MultiPolygon> landLeftOnPurpose(const DriveTask& task, MultiPolygon passe
     return passedOver.empty() ? Result<MultiPolygon>{} : unionOf(passedOver, job);
 }
 
-Result<RouteEnds> routeEnds(const Field& field, const Settings& settings) {
-    auto start = routePlace(field, settings, kRouteStart);
-    auto end = routePlace(field, settings, kRouteEnd);
-    if (!start || !end) {
-        return std::unexpected(start ? end.error() : start.error());
-    }
-    return RouteEnds{*std::move(start), *std::move(end)};
-}
-
-/// Where ways may lead: gates are open, and where the machine may leave the field so is everything but
-/// obstacles.
-Result<AllowedAreas> groundForWays(const DriveTask& task, const AllowedAreas& open, const JobContext& job) {
-    if (task.request.settings.flag(kStayInside)) {
-        return open;
-    }
-    return groundAround(*task.request.field, job).transform([](MultiPolygon&& all) {
-        return AllowedAreas{std::move(all)};
-    });
-}
-
 }  // namespace
 
 Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBeat, const JobContext& job) {
     const Field& field = *task.request.field;
     const Machine& machine = task.request.machine;
     const Settings& settings = task.request.settings;
-    const auto places = routeEnds(field, settings);
-    if (!places) {
-        return std::unexpected(places.error());
+    const auto roomForWays = waysRoom(task.rooms, task.request, task.ground, task.laid.mainland, job);
+    if (!roomForWays) {
+        return std::unexpected(roomForWays.error());
     }
-    const auto open = withOpenGates(task.ground->drivable, field, *places, job);
-    if (!open) {
-        return std::unexpected(open.error());
-    }
-    const auto ground = groundForWays(task, *open, job);
-    if (!ground) {
-        return std::unexpected(ground.error());
-    }
-    const auto room = drivingRoom(task.rooms, task.request,
-                                  {task.ground, *ground, task.laid.mainland, traversalOf(settings)}, job);
-    if (!room) {
-        return std::unexpected(room.error());
-    }
-    const auto fitting = std::make_shared<FittingWays>((*room)->raised);
-    const auto folded = std::make_shared<FittingWays>((*room)->folded);
+    const auto& [places, open, ground, room] = *roomForWays;
+    const auto fitting = std::make_shared<FittingWays>(room->raised);
+    const auto folded = std::make_shared<FittingWays>(room->folded);
     GateWays gates;
     RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext& part,
                             SearchEffort effort) {
@@ -128,11 +95,11 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
         return std::unexpected(leftOnPurpose.error());
     }
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
-    gates = addGateWays(legs, *places, field, Rig{*open, machine.folded()});
-    const PathOverLegs path{task, *ground, (*room)->steering, ways, narrower, chosen, *leftOnPurpose};
+    gates = addGateWays(legs, places, field, Rig{open, machine.folded()});
+    const PathOverLegs path{task, ground, room->steering, ways, narrower, chosen, *leftOnPurpose};
     auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8));
     if (driven) {
-        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, narrower, *ground, toBeat,
+        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, narrower, ground, toBeat,
                              job.part(0.8, 1.0));
     }
     if (driven) {

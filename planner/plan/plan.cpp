@@ -2,6 +2,8 @@
 
 #include "planner/path/blocking.h"
 #include "planner/plan/audit_input.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/order_stage.h"
 #include "planner/plan/quicker_choice.h"
 #include "planner/plan/reasons.h"
 #include "planner/plan/stopwatch.h"
@@ -51,6 +53,7 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
                                             .swaths = laid.swaths,
                                             .cells = stages.ordered->cells,
                                             .route = stages.ordered->route,
+                                            .proof = {},
                                             .path = stages.driven->path,
                                             .audit = stages.driven->audit,
                                             .findings = stages.driven->findings,
@@ -94,12 +97,25 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
                                              StageCache* cache) {
     Stopwatch watch;
     StageCache ownCache;
-    StageRunner runner{cache != nullptr ? *cache : ownCache};
+    StageCache& stageCache = cache != nullptr ? *cache : ownCache;
+    StageRunner runner{stageCache};
     const auto choice = quickestChoice(request, runner, job);
     if (!choice) {
         return std::unexpected(choice.error());
     }
     const std::shared_ptr<Plan> plan = planOf(request, *choice);
+    const PlannedStages& stages = choice->stages;
+    if (!request.draft && routeMethod(request.settings).traits.isByTime && !plan->route.steps.empty()) {
+        const auto proof = proofStage({.request = stages.request,
+                                       .ground = stages.ground,
+                                       .laid = *stages.laidOut.laid,
+                                       .rooms = stageCache.rooms},
+                                      *stages.ordered, job.withoutProgress());
+        if (!proof) {
+            return std::unexpected(proof.error());
+        }
+        plan->proof = *proof;
+    }
     addReasons(*plan);
     addNotes(*plan);
     plan->timings = runner.timings();

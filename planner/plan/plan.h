@@ -1,6 +1,9 @@
 #pragma once
 
 #include "planner/plan/stage_runner.h"
+#include "planner/route/route_proof.h"
+
+#include <optional>
 
 namespace furrow {
 
@@ -17,6 +20,9 @@ struct Plan {
     SwathSet swaths;
     Decomposition cells;
     Route route;
+    /// How far the route is from the best one. Empty for drafts, and where the order was not left to the
+    /// planner.
+    std::optional<RouteProof> proof;
     Path path;
     AuditReport audit;
     /// Of the planner and the audit; what both found is told once.

@@ -8,6 +8,7 @@
 #include "planner/plan/order_stage.h"
 #include "planner/route/methods.h"
 #include "planner/route/patterns.h"
+#include "planner/route/route_costs.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 
@@ -125,7 +126,7 @@ bool isCancelled(const auto& result) {
 
 /// An order of one's own names the swaths of just these choices.
 bool hasOwnOrder(const Settings& settings) {
-    return routeMethod(settings).traits.isByHand;
+    return routeMethod(settings).traits.isByHand || !settings.numbers(kLocked).empty();
 }
 
 /// The best plan so far.
@@ -284,18 +285,22 @@ Result<void> Chooser::tryCorners(Best& best) {
 Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
     std::vector<std::string_view> ids;
     if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable() ||
+        routeObjective(plan.request.settings) != RouteObjective::Time ||
+        hasOwnOrder(plan.request.settings) ||
         plan.ordered->route.steps.empty()) {
         return ids;
     }
     const Route& taken = plan.ordered->route;
     const RouteTask task = routeTask(plan.request, plan.laidOut.laid->swaths, plan.ordered->cells);
-    const Duration near = turningTime(taken.steps, task) + kNearPattern * plan.driven->path.duration();
+    const RouteCosts costs{task};
+    const double nearS =
+        costs.links().of(endOrder(taken.steps)) + kNearPattern * plan.driven->path.duration().si();
     for (const Method<RoutePlanner>* const pattern : plainPatterns()) {
         const auto route = pattern->run(task, job);
         if (!route) {
             return std::unexpected(route.error());
         }
-        if (*route != taken && turningTime(route->steps, task) <= near) {
+        if (*route != taken && costs.links().of(endOrder(route->steps)) <= nearS) {
             ids.push_back(pattern->info.id);
         }
     }

@@ -28,6 +28,15 @@ struct SwathInputs {
     friend bool operator==(const SwathInputs&, const SwathInputs&) = default;
 };
 
+/// What an order is made from.
+struct OrderInputs {
+    std::shared_ptr<const Ground> ground;
+    std::shared_ptr<const LaidSwaths> laid;
+    bool draft = false;
+
+    friend bool operator==(const OrderInputs&, const OrderInputs&) = default;
+};
+
 struct DriveInputs {
     std::shared_ptr<const Ground> ground;
     std::shared_ptr<const Headland> headland;
@@ -49,7 +58,7 @@ struct StageCache {
     StageMemo<HeadlandInputs, Headland> headlands;
     StageMemo<MultiPolygon, SwathSet> searches;  ///< of headings in a mainland
     StageMemo<SwathInputs, RoundedSwaths> swaths;
-    StageMemo<std::shared_ptr<const LaidSwaths>, Ordered> orders;
+    StageMemo<OrderInputs, Ordered> orders;
     DrivingRooms rooms;
     StageMemo<DriveInputs, Driven, 6> drives;  ///< megabytes each
 };

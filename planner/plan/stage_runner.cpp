@@ -133,10 +133,12 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
     if (!laid) {
         return std::unexpected(laid.error());
     }
-    auto ordered = cache_.orders.get(request, laid->laid, [&](const PlanRequest& asking) {
-        return timed(&StageTimings::route,
-                     [&] { return orderStage(asking, *laid->laid, job.part(0.8, 0.85)); });
-    });
+    auto ordered =
+        cache_.orders.get(request, {ground, laid->laid, request.draft}, [&](const PlanRequest& asking) {
+            const OrderTask task{
+                .request = asking, .ground = ground, .laid = *laid->laid, .rooms = cache_.rooms};
+            return timed(&StageTimings::route, [&] { return orderStage(task, job.part(0.8, 0.85)); });
+        });
     if (!ordered) {
         return std::unexpected(ordered.error());
     }

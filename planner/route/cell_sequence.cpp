@@ -1,8 +1,5 @@
 #include "planner/route/cell_sequence.h"
 
-#include "planner/turns/connection.h"
-#include "planner/turns/dubins.h"
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -24,17 +21,15 @@ constexpr double kWorthwhile = 0.998;
 /// One way to drive one cell.
 struct Variant {
     std::vector<RouteStep> steps;
-    double timeS = 0.0;
-    Pose begin;
-    Pose end;
+    double cost = 0.0;  ///< of the links
 };
 
 using Sequence = std::vector<std::size_t>;  ///< of cells
 
 class CellSequencer {
 public:
-    CellSequencer(const RouteTask& task, std::vector<std::vector<Variant>> cells)
-        : task_{task}, cells_{std::move(cells)} {
+    CellSequencer(const LinkCosts& costs, std::vector<std::vector<Variant>> cells)
+        : cells_{std::move(cells)} {
         for (const auto& variants : cells_) {
             first_.push_back(all_.size());
             for (const Variant& variant : variants) {
@@ -42,11 +37,10 @@ public:
             }
         }
         links_.resize(all_.size() * all_.size());
-        const double speed = task.machine.turningSpeed().si();
         for (std::size_t a = 0; a < all_.size(); ++a) {
             for (std::size_t b = 0; b < all_.size(); ++b) {
                 links_[a * all_.size() + b] =
-                    dubinsLength(all_[a]->end, all_[b]->begin, task.machine.minTurningRadius()).si() / speed;
+                    costs.link(otherEnd(enteredEnd(all_[a]->steps.back())), enteredEnd(all_[b]->steps.front()));
             }
         }
     }
@@ -67,18 +61,18 @@ private:
     std::size_t endOf(std::size_t cell) const { return first_[cell] + cells_[cell].size(); }
     bool mayBegin(std::size_t variant, bool fromFirst) const { return !fromFirst || variant == first_[0]; }
 
-    /// The best variant of each cell in this sequence (Viterbi), and the total time.
+    /// The best variant of each cell in this sequence (Viterbi), and the whole cost.
     std::pair<double, std::vector<std::size_t>> variantsFor(const Sequence& sequence, bool fromFirst) const {
-        std::vector<double> time(all_.size(), kInfinite);
+        std::vector<double> cost(all_.size(), kInfinite);
         std::vector<std::size_t> before(all_.size(), 0);
         for (std::size_t v = first_[sequence.front()]; v < endOf(sequence.front()); ++v) {
-            time[v] = mayBegin(v, fromFirst) ? all_[v]->timeS : kInfinite;
+            cost[v] = mayBegin(v, fromFirst) ? all_[v]->cost : kInfinite;
         }
         for (std::size_t i = 1; i < sequence.size(); ++i) {
             for (std::size_t v = first_[sequence[i]]; v < endOf(sequence[i]); ++v) {
                 for (std::size_t u = first_[sequence[i - 1]]; u < endOf(sequence[i - 1]); ++u) {
-                    if (const double total = time[u] + link(u, v) + all_[v]->timeS; total < time[v]) {
-                        time[v] = total;
+                    if (const double total = cost[u] + link(u, v) + all_[v]->cost; total < cost[v]) {
+                        cost[v] = total;
                         before[v] = u;
                     }
                 }
@@ -87,41 +81,41 @@ private:
         const std::size_t last = sequence.back();
         std::size_t best = first_[last];
         for (std::size_t v = first_[last]; v < endOf(last); ++v) {
-            best = time[v] < time[best] ? v : best;
+            best = cost[v] < cost[best] ? v : best;
         }
         std::vector<std::size_t> chosen{best};
         for (std::size_t i = sequence.size(); i-- > 1;) {
             chosen.push_back(before[chosen.back()]);
         }
         std::ranges::reverse(chosen);
-        return {time[best], std::move(chosen)};
+        return {cost[best], std::move(chosen)};
     }
 
     /// Held & Karp 1962, doi 10.1137/0110015, over cells and variants.
     Sequence exact(bool fromFirst) const {
         const std::size_t count = cells_.size();
         const std::size_t sets = std::size_t{1} << count;
-        std::vector<double> time(sets * all_.size(), kInfinite);
+        std::vector<double> cost(sets * all_.size(), kInfinite);
         std::vector<std::size_t> before(sets * all_.size(), all_.size());
         const auto cellOf = [this](std::size_t variant) {
             return static_cast<std::size_t>(std::ranges::upper_bound(first_, variant) - first_.begin()) - 1;
         };
         for (std::size_t v = 0; v < all_.size(); ++v) {
             if (mayBegin(v, fromFirst)) {
-                time[(std::size_t{1} << cellOf(v)) * all_.size() + v] = all_[v]->timeS;
+                cost[(std::size_t{1} << cellOf(v)) * all_.size() + v] = all_[v]->cost;
             }
         }
         for (std::size_t set = 1; set < sets; ++set) {
             for (std::size_t u = 0; u < all_.size(); ++u) {
-                const double here = time[set * all_.size() + u];
+                const double here = cost[set * all_.size() + u];
                 if (here == kInfinite) {
                     continue;
                 }
                 for (std::size_t v = 0; v < all_.size(); ++v) {
                     const std::size_t bit = std::size_t{1} << cellOf(v);
                     const std::size_t next = (set | bit) * all_.size() + v;
-                    if ((set & bit) == 0 && here + link(u, v) + all_[v]->timeS < time[next]) {
-                        time[next] = here + link(u, v) + all_[v]->timeS;
+                    if ((set & bit) == 0 && here + link(u, v) + all_[v]->cost < cost[next]) {
+                        cost[next] = here + link(u, v) + all_[v]->cost;
                         before[next] = u;
                     }
                 }
@@ -130,7 +124,7 @@ private:
         std::size_t set = sets - 1;
         std::size_t at = 0;
         for (std::size_t v = 0; v < all_.size(); ++v) {
-            at = time[set * all_.size() + v] < time[set * all_.size() + at] ? v : at;
+            at = cost[set * all_.size() + v] < cost[set * all_.size() + at] ? v : at;
         }
         Sequence sequence;
         while (at != all_.size()) {
@@ -145,7 +139,7 @@ private:
 
     Sequence nearest(bool fromFirst) const {
         Sequence best;
-        double bestTime = kInfinite;
+        double leastOfAll = kInfinite;
         for (std::size_t start = 0; start < (fromFirst ? 1 : cells_.size()); ++start) {
             Sequence sequence{start};
             std::vector<bool> done(cells_.size(), false);
@@ -164,8 +158,8 @@ private:
                 sequence.push_back(cell);
                 at = next;
             }
-            if (const double time = variantsFor(sequence, fromFirst).first; time < bestTime) {
-                bestTime = time;
+            if (const double cost = variantsFor(sequence, fromFirst).first; cost < leastOfAll) {
+                leastOfAll = cost;
                 best = std::move(sequence);
             }
         }
@@ -174,7 +168,7 @@ private:
 
     /// 2-opt.
     Sequence improved(Sequence sequence, bool fromFirst, const JobContext& job) const {
-        double time = variantsFor(sequence, fromFirst).first;
+        double cost = variantsFor(sequence, fromFirst).first;
         for (int round = 0; round < kMostRounds; ++round) {
             bool better = false;
             for (std::size_t i = fromFirst ? 1 : 0; i + 1 < sequence.size(); ++i) {
@@ -182,8 +176,8 @@ private:
                     Sequence turned = sequence;
                     std::reverse(turned.begin() + static_cast<std::ptrdiff_t>(i),
                                  turned.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-                    if (const double other = variantsFor(turned, fromFirst).first; other < time - 1e-6) {
-                        time = other;
+                    if (const double other = variantsFor(turned, fromFirst).first; other < cost - 1e-6) {
+                        cost = other;
                         sequence = std::move(turned);
                         better = true;
                     }
@@ -196,7 +190,6 @@ private:
         return sequence;
     }
 
-    const RouteTask& task_;
     std::vector<std::vector<Variant>> cells_;
     std::vector<const Variant*> all_;
     std::vector<std::size_t> first_;  ///< variant of each cell
@@ -204,7 +197,7 @@ private:
 };
 
 std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const PatternOrder& order,
-                                const RouteTask& task) {
+                                const RouteTask& task, const RouteCosts& costs) {
     SwathSet part;
     for (const std::size_t swath : cell) {
         part.swaths.push_back(task.swaths.swaths[swath]);
@@ -214,35 +207,32 @@ std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const Patt
         for (RouteStep& step : steps) {
             step.swath = cell[step.swath];
         }
-        Variant variant{.steps = std::move(steps), .timeS = 0.0, .begin = {}, .end = {}};
-        variant.timeS = turningTime(variant.steps, task).si();
-        variant.begin = vehicleStart(variant.steps.front(), task.swaths, task.machine);
-        variant.end = vehicleEnd(variant.steps.back(), task.swaths, task.machine);
-        variants.push_back(std::move(variant));
+        const double cost = costs.links().between(endOrder(steps));
+        variants.push_back({.steps = std::move(steps), .cost = cost});
     }
     return variants;
 }
 
-/// The time including the work, as a base for the share that a pattern saves.
-double quickestS(const std::vector<Variant>& variants, const RouteTask& task) {
-    Length worked;
+/// The cost including the work, as a base for the share that a pattern saves.
+double leastCost(const std::vector<Variant>& variants, const RouteCosts& costs) {
+    double working = 0.0;
     for (const RouteStep& step : variants.front().steps) {
-        worked += task.swaths.swaths[step.swath].length();
+        working += costs.workingOn(step.swath);
     }
-    return worked.si() / task.machine.spec().tractor.workingSpeed.si() +
-           std::ranges::min_element(variants, {}, &Variant::timeS)->timeS;
+    return working + std::ranges::min_element(variants, {}, &Variant::cost)->cost;
 }
 
 /// The variants of the quickest pattern in this cell. Of about equal ones the first.
 std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell,
-                                      std::span<const PatternOrder> patterns, const RouteTask& task) {
-    std::vector<Variant> best = variantsIn(cell, patterns.front(), task);
-    double bestS = quickestS(best, task);
+                                      std::span<const PatternOrder> patterns, const RouteTask& task,
+                                      const RouteCosts& costs) {
+    std::vector<Variant> best = variantsIn(cell, patterns.front(), task, costs);
+    double bestCost = leastCost(best, costs);
     for (const PatternOrder& pattern : patterns | std::views::drop(1)) {
-        std::vector<Variant> other = variantsIn(cell, pattern, task);
-        if (const double timeS = quickestS(other, task); timeS < kWorthwhile * bestS) {
+        std::vector<Variant> other = variantsIn(cell, pattern, task, costs);
+        if (const double cost = leastCost(other, costs); cost < kWorthwhile * bestCost) {
             best = std::move(other);
-            bestS = timeS;
+            bestCost = cost;
         }
     }
     return best;
@@ -251,36 +241,36 @@ std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell,
 }  // namespace
 
 Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, const JobContext& job) {
-    return routeOverCells(std::span{&order, 1}, task, job);
+    return routeOverCells(std::span{&order, 1}, task, RouteCosts{task}, job);
 }
 
 Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task,
-                             const JobContext& job) {
+                             const RouteCosts& costs, const JobContext& job) {
     std::vector<std::vector<Variant>> cells;
     for (const std::vector<std::size_t>& cell : task.cells) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
         if (!cell.empty()) {
-            cells.push_back(quickestVariants(cell, patterns, task));
+            cells.push_back(quickestVariants(cell, patterns, task, costs));
         }
     }
     if (cells.size() <= 1 && patterns.size() == 1) {
-        return bestRoute(patterns.front()(trackCount(task.swaths)), task, job);
+        return bestRoute(patterns.front()(trackCount(task.swaths)), task, costs, job);
     }
     if (cells.empty()) {
         std::vector<std::size_t> all(task.swaths.swaths.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
-        cells.push_back(quickestVariants(all, patterns, task));
+        cells.push_back(quickestVariants(all, patterns, task, costs));
     }
     if (cells.size() == 1) {
-        Route route{.steps = std::ranges::min_element(cells.front(), {}, &Variant::timeS)->steps,
+        Route route{.steps = std::ranges::min_element(cells.front(), {}, &Variant::cost)->steps,
                     .lengthInPlace = {}};
         route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
         return route;
     }
     const bool fromFirst = cells.front().size() == 1;
-    Route route{.steps = CellSequencer{task, std::move(cells)}.best(fromFirst, job), .lengthInPlace = {}};
+    Route route{.steps = CellSequencer{costs.links(), std::move(cells)}.best(fromFirst, job), .lengthInPlace = {}};
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }

@@ -11,16 +11,16 @@ namespace furrow {
 using PatternOrder = std::function<TrackOrder(std::size_t)>;
 
 /// Drives every cell by the pattern, one cell after the other. The sequence of the cells and their starting
-/// corners give the least time for turns and for ways between cells, in free space. Exact for up to eight
+/// corners give the least cost of turns and of ways between cells, in free space. Exact for up to eight
 /// cells. For more, the nearest next one, improved by reversing stretches of the sequence. With route.corner
 /// `first`, starts at the start of the first swath. Cancelled. Cost: eight times the turns, and 64 ways for
 /// each pair of cells.
 Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, const JobContext& job);
 
-/// The same with, in each cell, the pattern that is quickest there in free space. A pattern that saves less
-/// than 0.2 % of the cell's time is passed over for an earlier one. Cost: each pattern's turns, then that of
+/// The same with, in each cell, the pattern that costs least there in free space. A pattern that saves less
+/// than 0.2 % of the cell's cost is passed over for an earlier one. Cost: each pattern's turns, then that of
 /// one pattern.
 Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const RouteTask& task,
-                             const JobContext& job);
+                             const RouteCosts& costs, const JobContext& job);
 
 }  // namespace furrow

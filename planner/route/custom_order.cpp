@@ -1,3 +1,4 @@
+#include "planner/route/given_steps.h"
 #include "planner/route/methods.h"
 
 #include <algorithm>
@@ -10,10 +11,10 @@ namespace furrow {
 
 namespace {
 
-Error refused(Message what, Message remedy) {
+Error refused(const Parameter& parameter, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
-            .where = std::string{kOrder.key},
+            .where = std::string{parameter.key},
             .remedy = std::move(remedy)};
 }
 
@@ -32,29 +33,20 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
         return std::unexpected(cancelled());
     }
     const auto count = static_cast<int>(task.swaths.swaths.size());
-    std::vector<bool> driven(static_cast<std::size_t>(count));
-    Route route;
-    for (const int number : task.settings.numbers(kOrder)) {
-        if (number == 0 || number < -count || number > count) {
-            return std::unexpected(refused(message("there is no swath {}", std::abs(std::int64_t{number})),
-                                           message("use the numbers from 1 to {}", count)));
-        }
-        const auto swath = static_cast<std::size_t>(std::abs(number) - 1);
-        if (driven[swath]) {
-            return std::unexpected(
-                refused(message("swath {} is named twice", std::abs(number)), "name each swath once"));
-        }
-        driven[swath] = true;
-        route.steps.push_back({.swath = swath, .reversed = number < 0});
+    auto steps = givenSteps(task.settings, kOrder, task.swaths.swaths.size());
+    if (!steps) {
+        return std::unexpected(steps.error());
     }
+    Route route{.steps = *std::move(steps), .lengthInPlace = {}};
     std::vector<int> missing;
     for (int number = 1; number <= count; ++number) {
-        if (!driven[static_cast<std::size_t>(number - 1)]) {
+        if (!std::ranges::contains(route.steps, static_cast<std::size_t>(number - 1), &RouteStep::swath)) {
             missing.push_back(number);
         }
     }
     if (!missing.empty()) {
         return std::unexpected(refused(
+            kOrder,
             message("{} of {} swaths are not in the order: {}", missing.size(), count, listed(missing)),
             "name each swath once, with a minus where it is driven backwards"));
     }
@@ -65,6 +57,28 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
 constexpr const Parameter* kParameters[] = {&kOrder};
 
 }  // namespace
+
+Result<std::vector<RouteStep>> givenSteps(const Settings& settings, const Parameter& parameter,
+                                          std::size_t swathCount) {
+    const auto count = static_cast<int>(swathCount);
+    std::vector<bool> named(swathCount);
+    std::vector<RouteStep> steps;
+    for (const int number : settings.numbers(parameter)) {
+        if (number == 0 || number < -count || number > count) {
+            return std::unexpected(refused(parameter,
+                                           message("there is no swath {}", std::abs(std::int64_t{number})),
+                                           message("use the numbers from 1 to {}", count)));
+        }
+        const auto swath = static_cast<std::size_t>(std::abs(number) - 1);
+        if (named[swath]) {
+            return std::unexpected(refused(parameter, message("swath {} is named twice", std::abs(number)),
+                                           "name each swath once"));
+        }
+        named[swath] = true;
+        steps.push_back({.swath = swath, .reversed = number < 0});
+    }
+    return steps;
+}
 
 const Parameter kOrder{.key = "route.order",
                        .name = "Order",

@@ -12,6 +12,7 @@ extern const Parameter kCorner;
 extern const Parameter kCluster;
 extern const Parameter kSkip;
 extern const Parameter kOrder;
+extern const Parameter kLocked;
 
 extern const Method<RoutePlanner> kOptimisedMethod;
 extern const Method<RoutePlanner> kBoustrophedonMethod;

@@ -10,7 +10,7 @@ namespace furrow {
 namespace {
 
 /// If routes differ by less, the earlier one is kept.
-constexpr Duration kSameTime = seconds(1e-6);
+constexpr double kSameCost = 1e-6;
 
 constexpr Choice kCorners[] = {
     {"best", "The best corner", "Of the four corners and both ways the one with the quickest turns."},
@@ -109,15 +109,6 @@ std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& ord
     return steps;
 }
 
-Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task) {
-    Duration sum;
-    for (std::size_t i = 1; i < steps.size(); ++i) {
-        sum += roughDuration(turnBetween(steps[i - 1], steps[i], task.swaths, task.machine, task.turn),
-                             task.machine);
-    }
-    return sum;
-}
-
 std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths,
                                                const Settings& settings) {
     std::vector<std::vector<RouteStep>> variants{alongTracks(swaths, order, false)};
@@ -144,17 +135,18 @@ std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const Sw
     return variants;
 }
 
-Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const JobContext& job) {
+Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const RouteCosts& costs,
+                        const JobContext& job) {
     std::vector<std::vector<RouteStep>> variants = variantsOf(order, task.swaths, task.settings);
     Route route{.steps = variants.front(), .lengthInPlace = {}};
     if (variants.size() > 1) {
-        Duration quickest = turningTime(route.steps, task);
+        double least = costs.links().of(endOrder(route.steps));
         for (std::vector<RouteStep>& steps : variants) {
             if (job.stopRequested()) {
                 return std::unexpected(cancelled());
             }
-            if (const Duration time = turningTime(steps, task); time < quickest - kSameTime) {
-                quickest = time;
+            if (const double cost = costs.links().of(endOrder(steps)); cost < least - kSameCost) {
+                least = cost;
                 route.steps = std::move(steps);
             }
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/route/route.h"
+#include "planner/route/route_costs.h"
 
 #include <cstddef>
 #include <vector>
@@ -26,18 +27,16 @@ TrackOrder racetrackOrder(std::size_t count);
 /// follow each other.
 std::vector<RouteStep> alongTracks(const SwathSet& swaths, const TrackOrder& order, bool firstReversed);
 
-/// Time for all turns between the steps.
-Duration turningTime(const std::vector<RouteStep>& steps, const RouteTask& task);
-
 /// The ways to drive tracks in this order. With route.corner `best`, eight: all four start corners and both
 /// directions through the order. With `first`, the one from the start of the first swath.
 std::vector<std::vector<RouteStep>> variantsOf(const TrackOrder& order, const SwathSet& swaths,
                                                const Settings& settings);
 
-/// The route in this order of tracks. With route.corner `best`, the quickest of all four start corners and
-/// both directions through the order. With `first`, from the start of the first swath. Cancelled. Cost: eight
-/// times the turns.
-Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const JobContext& job);
+/// The route in this order of tracks. With route.corner `best`, the one of all four start corners and both
+/// directions through the order that costs least. With `first`, from the start of the first swath. Cancelled.
+/// Cost: eight times the turns.
+Result<Route> bestRoute(const TrackOrder& order, const RouteTask& task, const RouteCosts& costs,
+                        const JobContext& job);
 
 /// The number of tracks that the swaths were cut from.
 std::size_t trackCount(const SwathSet& swaths);

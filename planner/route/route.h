@@ -7,8 +7,11 @@
 #include "planner/settings/method.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
+#include "planner/turns/manoeuvre_search.h"
 #include "planner/turns/turn_method.h"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -53,6 +56,11 @@ Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& sw
 /// L_0 of the paper for this order.
 Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths);
 
+/// The way that a path takes from the end of one step to the start of another one. Empty if none is found with
+/// this effort.
+using WayInField =
+    std::function<std::optional<Curve>(const RouteStep& from, const RouteStep& to, SearchEffort effort)>;
+
 /// The inputs of routes. The routes keep none of them.
 struct RouteTask {
     const SwathSet& swaths;
@@ -61,6 +69,10 @@ struct RouteTask {
     const Settings& settings;
     /// Swaths that are driven together, as indices in the order of the set. Empty: all of them.
     std::vector<std::vector<std::size_t>> cells = {};
+    WayInField way = {};          ///< empty: as in free space
+    std::optional<Point> start = {};  ///< where the machine comes from
+    std::optional<Point> end = {};    ///< where it goes to
+    bool isDraft = false;         ///< a first route, at once
 };
 
 /// The common signature of all route methods: every swath exactly once. InputRefused: a custom order that

@@ -5,6 +5,17 @@
 
 namespace furrow {
 
+namespace {
+
+constexpr double kTransferRadii = 8.0;
+constexpr double kTransferWidths = 4.0;
+
+}  // namespace
+
+Length longestTurn(const Machine& machine) {
+    return kTransferRadii * machine.minTurningRadius() + kTransferWidths * machine.operatingWidth();
+}
+
 Duration gearChangeDuration(const Machine& machine) {
     const Tractor& tractor = machine.spec().tractor;
     return seconds((machine.turningSpeed() + tractor.reverseSpeed).si() /

@@ -17,6 +17,9 @@ namespace furrow {
 
 namespace {
 
+// A smaller gap is rounding, shown as 0.0 %.
+constexpr double kProvedGap = 0.0005;
+
 /// The setting that picks the method, those of the method, and those of the stage.
 std::vector<const Parameter*> parametersOf(const StageInfo& stage, const Settings& settings) {
     std::vector<const Parameter*> all;
@@ -79,6 +82,11 @@ QString resultOf(std::string_view stage, const Plan& plan) {
                           lengthText(plan.swaths.totalLength), bearingText(plan.swaths.heading)});
     }
     if (stage == "route") {
+        if (plan.proof) {
+            return plan.proof->gap() < kProvedGap
+                       ? StepsModel::tr("proved: no order is better")
+                       : StepsModel::tr("turns within %1 of the best order").arg(percentText(plan.proof->gap()));
+        }
         return StepsModel::tr("%1 with turns on the spot").arg(lengthText(plan.route.lengthInPlace));
     }
     if (stage == "path") {

@@ -8,6 +8,7 @@
 #include "planner/plan/method_registry.h"
 #include "planner/plan/round_stage.h"
 #include "planner/plan/used_settings.h"
+#include "planner/route/route_costs.h"
 #include "planner/settings/operation.h"
 #include "planner/version.h"
 
@@ -127,12 +128,32 @@ Json pathJson(const Plan& plan) {
     return json;
 }
 
+/// Cost and bound are of swaths, turns and ways between swaths where the order was left to the planner, and
+/// the time of the whole path elsewhere.
+Json routeJson(const Plan& plan) {
+    Json route{{"method", methodOf("route", plan.request.settings)},
+               {"length_in_place_m", plan.route.lengthInPlace.si()}};
+    if (plan.proof) {
+        route["objective"] = plan.request.settings.choice(kRouteObjective);
+        route["cost"] = plan.proof->working + plan.proof->nonWorking;
+        route["non_working_cost"] = plan.proof->nonWorking;
+        route["lower_bound"] = plan.proof->lowerBound;
+        route["gap"] = plan.proof->gap();
+        route["gap_total"] = plan.proof->gapTotal();
+    } else {
+        route["cost"] = plan.path.duration().si();
+        route["non_working_cost"] = (plan.path.duration() - plan.path.workedDuration()).si();
+        route["gap"] = nullptr;
+        route["gap_total"] = nullptr;
+    }
+    return route;
+}
+
 }  // namespace
 
 std::string planSummaryJson(const Plan& plan, std::span<const std::string> files) {
     const Settings& settings = plan.request.settings;
     const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
-    const double workedS = plan.path.workedDuration().si();
     Json summary{{"field",
                   {{"id", plan.field().id()},
                    {"name", plan.field().name()},
@@ -156,13 +177,7 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
                    {"mainland_ratio", plan.headland.mainlandRatio}}},
                  {"decomposition", decompositionJson(plan.cells)},
                  {"swaths", swathsJson(plan)},
-                 {"route",
-                  {{"method", methodOf("route", settings)},
-                   {"length_in_place_m", plan.route.lengthInPlace.si()},
-                   {"cost", plan.path.duration().si()},
-                   {"non_working_cost", plan.path.duration().si() - workedS},
-                   {"gap", nullptr},
-                   {"gap_total", nullptr}}},
+                 {"route", routeJson(plan)},
                  {"path", pathJson(plan)},
                  {"drivable", plan.drivable()},
                  {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},

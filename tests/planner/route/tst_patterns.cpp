@@ -1,5 +1,6 @@
 #include "planner/route/methods.h"
 #include "planner/route/patterns.h"
+#include "planner/route/route_proof.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/stages.h"
@@ -35,6 +36,11 @@ QString told(const TrackOrder& order) {
         tracks << QString::number(track);
     }
     return tracks.join(' ');
+}
+
+/// By the task's objective.
+double linkCost(const std::vector<RouteStep>& steps, const RouteTask& task) {
+    return RouteCosts{task}.links().between(endOrder(steps));
 }
 
 using Pattern = std::function<TrackOrder(std::size_t)>;
@@ -197,18 +203,17 @@ private slots:
     }
 
     // Swaths 10 m long, 4 m apart: the robot's smallest radius is 2.1 m, so neighbours need a bulb.
-    void turningTimeIsTheSumOfTheTurns() {
+    void linksCostTheSumOfTheTurns() {
         const SwathSet swaths = swathsOf({test::rectangle(10.0, 20.0)}, 4.0, 0.0);
         const Settings settings;
         const RouteTask task{
             .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = settings};
         const auto one = [&](std::size_t a, std::size_t b) {
-            return turningTime({{.swath = a, .reversed = false}, {.swath = b, .reversed = true}}, task).si();
+            return linkCost({{.swath = a, .reversed = false}, {.swath = b, .reversed = true}}, task);
         };
-        QCOMPARE(turningTime({}, task).si(), 0.0);
-        QCOMPARE(turningTime({{.swath = 2, .reversed = false}}, task).si(), 0.0);
-        COMPARE_WITHIN(turningTime(alongTracks(swaths, {0, 1, 2}, false), task).si(), one(0, 1) + one(1, 2),
-                       1e-9);
+        QCOMPARE(linkCost({}, task), 0.0);
+        QCOMPARE(linkCost({{.swath = 2, .reversed = false}}, task), 0.0);
+        COMPARE_WITHIN(linkCost(alongTracks(swaths, {0, 1, 2}, false), task), one(0, 1) + one(1, 2), 1e-9);
         // The bulb over 4 m, with radii of 2.1 m, is longer than a half circle of 2 m would be.
         QVERIFY(one(0, 1) > 2.0 * std::numbers::pi / agbot().turningSpeed().si());
         QVERIFY(one(0, 2) < one(0, 3));
@@ -229,14 +234,13 @@ private slots:
                     .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = best};
                 const RouteTask firstTask{
                     .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = first};
-                const auto quick = bestRoute(order, bestTask, {});
+                const auto quick = bestRoute(order, bestTask, RouteCosts{bestTask}, {});
                 VERIFY_RESULT(quick);
-                const auto plain = bestRoute(order, firstTask, {});
+                const auto plain = bestRoute(order, firstTask, RouteCosts{firstTask}, {});
                 VERIFY_RESULT(plain);
                 const QByteArray said =
                     QStringLiteral("seed %1, field %2, %3").arg(kSeed).arg(i).arg(name).toUtf8();
-                VERIFY_TOLD(turningTime(quick->steps, bestTask) <= turningTime(plain->steps, firstTask),
-                            said);
+                VERIFY_TOLD(linkCost(quick->steps, bestTask) <= linkCost(plain->steps, firstTask), said);
                 for (const Route* route : {&*quick, &*plain}) {
                     std::set<std::size_t> driven;
                     std::set<int> tracksLeft;
@@ -269,6 +273,125 @@ private slots:
                 }
             }
         }
+    }
+
+    // By every objective the optimised order costs no more than any pattern, and no less than its bound.
+    void optimisedIsNeverDearer_data() {
+        QTest::addColumn<QString>("objective");
+        for (const char* objective : {"time", "length", "fuel"}) {
+            QTest::newRow(objective) << objective;
+        }
+    }
+    void optimisedIsNeverDearer() {
+        QFETCH(QString, objective);
+        constexpr std::uint64_t kSeed = 23;
+        std::mt19937_64 random{kSeed};
+        for (int i = 0; i < 25; ++i) {
+            const MultiPolygon mainland =
+                test::randomPolygons(random, test::kShapes[static_cast<std::size_t>(i) % 5], 90.0);
+            const SwathSet swaths =
+                swathsOf(mainland, test::uniform(random, 4.0, 12.0), test::uniform(random, 0.0, 180.0));
+            const Settings settings = settingsOf({{&kRouteObjective, objective.toStdString()}});
+            const RouteTask task{
+                .swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = settings};
+            const auto best = kOptimisedMethod.run(task, {});
+            VERIFY_RESULT(best);
+            QCOMPARE(best->steps.size(), swaths.swaths.size());
+            const double cost = linkCost(best->steps, task);
+            const QByteArray said = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
+            for (const auto* method : {&kBoustrophedonMethod, &kSnakeMethod, &kSpiralMethod, &kSkipMethod,
+                                       &kRacetrackMethod}) {
+                const auto pattern = method->run(task, {});
+                VERIFY_RESULT(pattern);
+                VERIFY_TOLD(cost <= linkCost(pattern->steps, task) + 1e-9, said);
+            }
+            const auto proof = proofOf(*best, task, {});
+            VERIFY_RESULT(proof);
+            COMPARE_WITHIN(proof->nonWorking, cost, 1e-9);
+            VERIFY_TOLD(proof->lowerBound > 0.0 && proof->lowerBound <= cost + 1e-9, said);
+            VERIFY_TOLD(proof->gap() < 0.25 && proof->gapTotal() <= proof->gap(), said);
+            QVERIFY(proof->working > 0.0);
+        }
+    }
+
+    // A way that does not fit is not taken where there is another one.
+    void optimisedLooksUpWays() {
+        // Three swaths of 100 m, 5 m apart.
+        const SwathSet swaths = swathsOf({test::rectangle(100.0, 15.0)}, 5.0, 0.0);
+        RouteTask task{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = {}};
+        int asked = 0;
+        // From the first swath none leads to the second one, in either direction.
+        task.way = [&](const RouteStep& from, const RouteStep& to,
+                       SearchEffort) -> std::optional<Curve> {
+            ++asked;
+            if (from.swath + to.swath == 1) {
+                return std::nullopt;
+            }
+            return turnBetween(from, to, swaths, agbot(), kDubinsMethod.run);
+        };
+        const auto route = kOptimisedMethod.run(task, {});
+        VERIFY_RESULT(route);
+        QVERIFY(asked > 0);
+        for (std::size_t i = 1; i < route->steps.size(); ++i) {
+            QVERIFY(route->steps[i - 1].swath + route->steps[i].swath != 1);
+        }
+    }
+
+    void lockedSwathsStayTogether_data() {
+        QTest::addColumn<QString>("locked");
+        QTest::addColumn<QString>("block");
+        QTest::addColumn<double>("heightM");
+        QTest::newRow("one direction") << "4" << "3" << 30.0;
+        QTest::newRow("the other direction") << "-4" << "3-" << 30.0;
+        QTest::newRow("far apart") << "6,-1,3" << "5 0- 2" << 30.0;
+        QTest::newRow("both the same way") << "1,2" << "0 1" << 30.0;
+        QTest::newRow("too many for the exact order") << "16,-2,9,-8" << "15 1- 8 7-" << 100.0;
+        QTest::newRow("all") << "6,5,4,3,2,1" << "5 4 3 2 1 0" << 30.0;
+    }
+    void lockedSwathsStayTogether() {
+        QFETCH(QString, locked);
+        QFETCH(QString, block);
+        QFETCH(double, heightM);
+        const SwathSet swaths = swathsOf({test::rectangle(100.0, heightM)}, 5.0, 0.0);
+        const auto route = test::routeBy(kOptimisedMethod, swaths, agbot(),
+                                         settingsOf({{&kLocked, locked.toStdString()}}));
+        VERIFY_RESULT(route);
+        QCOMPARE(route->steps.size(), swaths.swaths.size());
+        QVERIFY2((' ' + told(*route) + ' ').contains(' ' + block + ' '), qPrintable(told(*route)));
+    }
+
+    void lockedRefuses() {
+        const SwathSet swaths = swathsOf({test::rectangle(100.0, 15.0)}, 5.0, 0.0);
+        for (const char* locked : {"4", "0", "1,-1"}) {
+            const auto route =
+                test::routeBy(kOptimisedMethod, swaths, agbot(), settingsOf({{&kLocked, locked}}));
+            QVERIFY(!route);
+            QCOMPARE(route.error().code, ErrorCode::InputRefused);
+            QCOMPARE(route.error().where, std::string{"route.locked"});
+        }
+    }
+
+    // The way from a gate counts.
+    void optimisedBeginsAtTheGate_data() {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<int>("swath");
+        QTest::addColumn<bool>("reversed");
+        QTest::newRow("lower left") << -500.0 << 2.5 << 0 << false;
+        QTest::newRow("upper right") << 600.0 << 12.5 << 2 << true;
+    }
+    void optimisedBeginsAtTheGate() {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(int, swath);
+        QFETCH(bool, reversed);
+        const SwathSet swaths = swathsOf({test::rectangle(100.0, 15.0)}, 5.0, 0.0);
+        RouteTask task{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = {}};
+        task.start = Point{x, y};
+        const auto route = kOptimisedMethod.run(task, {});
+        VERIFY_RESULT(route);
+        QCOMPARE(route->steps.front().swath, static_cast<std::size_t>(swath));
+        QCOMPARE(route->steps.front().reversed, reversed);
     }
 
     void customOrder_data() {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "planner/jobs/job.h"
+#include "planner/route/link_costs.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace furrow {
+
+/// What a search for an order starts from, and when it ends.
+struct OrderSearchTask {
+    const LinkCosts& costs;
+    const NearEnds& near;
+    std::span<const EndOrder> starts;  ///< at least one; each names every swath once
+    std::size_t rounds = 0;            ///< after the first improvement of the starts
+    std::uint64_t seed = 1;
+    /// Nothing costs less than this: the search ends there.
+    double enough = -std::numeric_limits<double>::infinity();
+    /// Called with each better order and the number of rounds before it; may be empty.
+    std::function<void(std::size_t rounds, double cost)> better = {};
+};
+
+struct FoundOrder {
+    EndOrder order;
+    double cost = 0.0;
+
+    friend bool operator==(const FoundOrder&, const FoundOrder&) = default;
+};
+
+/// A cheap order of all swaths with their directions, never dearer than any of the starts. Of equal ones the
+/// earlier start. The two cheapest starts are improved by moves that change up to three links: a stretch is
+/// moved, turned round, or both, where a link becomes cheaper (2-opt, Or-opt, Or-3opt with neighbour lists:
+/// Or 1976; Bentley 1992, doi 10.1287/ijoc.4.4.387). Then an order is disturbed at random places and
+/// improved again, round by round (Lourenço, Martin, Stützle 2003, doi 10.1007/0-306-48056-5_11). A dearer
+/// one is kept less and less often. A stop request ends the search with the best order so far. The same task gives the same order.
+/// Cost: a round costs some ten microseconds, and O(swaths) simple operations.
+FoundOrder searchedOrder(const OrderSearchTask& task, const JobContext& job);
+
+}  // namespace furrow

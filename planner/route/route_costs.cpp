@@ -1,0 +1,166 @@
+#include "planner/route/route_costs.h"
+
+#include "planner/route/given_steps.h"
+#include "planner/route/methods.h"
+#include "planner/turns/connection.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace furrow {
+
+namespace {
+
+/// Added where no way fits: the order goes elsewhere if it can.
+constexpr Duration kNoWay = seconds(300.0);
+/// Of the time in which the wheels are turned. A way with clothoids in the place of jumps of the curvature is
+/// longer by half of what is driven meanwhile; where the machine stands, all of it counts.
+constexpr double kSteeringShare = 0.75;
+/// Of what parts locked swaths, and of another first swath than the chosen one.
+constexpr double kBroken = 1e5;
+constexpr double kSecondsPerHour = 3600.0;
+
+constexpr Choice kObjectives[] = {
+    {"time", "Time", "The least time for turns and ways."},
+    {"length", "Length", "The shortest turns and ways."},
+    {"fuel", "Fuel", "The least fuel for turns and ways; the least time if the machine has no fuel figures."},
+};
+
+/// The time in which the wheels are turned, from straight to straight.
+Duration steering(const Curve& way, const Machine& machine) {
+    Duration sum;
+    Curvature before;
+    for (const CurvePiece& piece : way.pieces) {
+        sum += machine.steeringDuration(before, piece.curvature);
+        before = piece.endCurvature;
+    }
+    return sum + machine.steeringDuration(before, {});
+}
+
+}  // namespace
+
+RouteObjective routeObjective(const Settings& settings) {
+    const std::string id = settings.choice(kRouteObjective);
+    return id == "length" ? RouteObjective::Length
+           : id == "fuel" ? RouteObjective::Fuel
+                          : RouteObjective::Time;
+}
+
+RouteCosts::RouteCosts(const RouteTask& task)
+    : task_{task},
+      objective_{routeObjective(task.settings)},
+      links_{task.swaths.swaths.size(), functions()} {
+    const Tractor& tractor = task.machine.spec().tractor;
+    const double fastest =
+        std::max({task.machine.turningSpeed().si(), tractor.reverseSpeed.si(), tractor.transferSpeed.si()});
+    costPerMetre_ = costOf(metres(1.0), seconds(1.0 / fastest));
+    const auto ends = static_cast<SwathEnd>(links_.endCount());
+    for (SwathEnd end = 0; end < ends; ++end) {
+        lines_.push_back(drivenLine(stepEntering(end), task.swaths, task.machine));
+    }
+    next_.resize(ends);
+    std::iota(next_.begin(), next_.end(), SwathEnd{0});
+    before_ = next_;
+    isWrongWay_.assign(ends, 0);
+    const EndOrder locked = endOrder(
+        givenSteps(task.settings, kLocked, task.swaths.swaths.size()).value_or(std::vector<RouteStep>{}));
+    for (std::size_t i = 0; i < locked.size(); ++i) {
+        isWrongWay_[otherEnd(locked[i])] = 1;
+        if (i > 0) {
+            next_[otherEnd(locked[i - 1])] = locked[i];
+            before_[locked[i]] = otherEnd(locked[i - 1]);
+        }
+    }
+    for (SwathEnd end = 0; end < ends; ++end) {
+        left_.push_back(lines_[otherEnd(end)].end());
+    }
+    for (std::size_t swath = 0; swath < task.swaths.swaths.size(); ++swath) {
+        working_ += workingOn(swath);
+    }
+}
+
+double RouteCosts::costOf(Length length, Duration time) const {
+    switch (objective_) {
+        case RouteObjective::Length: return length.si();
+        case RouteObjective::Fuel:
+            return time.si() *
+                   (task_.machine.spec().fuel ? task_.machine.spec().fuel->turningLph / kSecondsPerHour : 1.0);
+        case RouteObjective::Time: break;
+    }
+    return time.si();
+}
+
+double RouteCosts::costOf(const Curve& way) const {
+    const Machine& machine = task_.machine;
+    Duration time = roughDuration(way, machine);
+    if (way.type == kCombinedTurn && way.length() > longestTurn(machine)) {
+        time = time * (machine.turningSpeed() / machine.spec().tractor.transferSpeed);
+    }
+    const Implement& implement = machine.spec().implement;
+    return costOf(way.length(), std::max(time + kSteeringShare * steering(way, machine),
+                                         implement.liftTime + implement.lowerTime));
+}
+
+double RouteCosts::lockedOut(SwathEnd leaving, SwathEnd entered) const {
+    const bool breaks = isWrongWay_[entered] != 0 || isWrongWay_[otherEnd(leaving)] != 0 ||
+                        (next_[leaving] != leaving && next_[leaving] != entered) ||
+                        (before_[entered] != entered && before_[entered] != leaving);
+    return breaks ? kBroken : 0.0;
+}
+
+double RouteCosts::workingOn(std::size_t swath) const {
+    const Length length = task_.swaths.swaths[swath].length();
+    const double timeS = length.si() / task_.machine.spec().tractor.workingSpeed.si();
+    switch (objective_) {
+        case RouteObjective::Length: return length.si();
+        case RouteObjective::Fuel:
+            return timeS *
+                   (task_.machine.spec().fuel ? task_.machine.spec().fuel->workingLph / kSecondsPerHour : 1.0);
+        case RouteObjective::Time: break;
+    }
+    return timeS;
+}
+
+LinkCosts::Functions RouteCosts::functions() {
+    LinkCosts::Functions costs;
+    costs.link = [this](SwathEnd leaving, SwathEnd entered) {
+        return costOf(connection(left_[leaving], lines_[entered].start, task_.machine, task_.turn)) +
+               lockedOut(leaving, entered);
+    };
+    costs.atLeast = [this](SwathEnd a, SwathEnd b) {
+        return costPerMetre_ * std::min(distance(left_[a].position, lines_[b].start.position),
+                                        distance(left_[b].position, lines_[a].start.position));
+    };
+    const bool fromFirst = task_.settings.choice(kCorner) == "first";
+    costs.begin = [this, fromFirst](SwathEnd entered) {
+        const bool isBroken = before_[entered] != entered || (fromFirst && entered != 0);
+        return (isBroken ? kBroken : 0.0) +
+               (task_.start ? costPerMetre_ * distance(*task_.start, lines_[entered].start.position) : 0.0);
+    };
+    costs.finish = [this](SwathEnd left) {
+        return (next_[left] != left ? kBroken : 0.0) +
+               (task_.end ? costPerMetre_ * distance(left_[left].position, *task_.end) : 0.0);
+    };
+    if (task_.way) {
+        const double noWay =
+            costOf(metres(kNoWay.si() * task_.machine.turningSpeed().si()), kNoWay);
+        costs.fitting = [this, noWay](SwathEnd leaving, SwathEnd entered) -> std::optional<double> {
+            const auto way = task_.way(stepEntering(otherEnd(leaving)), stepEntering(entered), effort_);
+            if (!way && effort_ == SearchEffort::None) {
+                return std::nullopt;
+            }
+            return way ? costOf(*way) : links_.link(leaving, entered) + noWay;
+        };
+    }
+    return costs;
+}
+
+const Parameter kRouteObjective{.key = "route.objective",
+                           .name = "Saves",
+                           .description = "What the order of the swaths is to save.",
+                           .kind = ParameterKind::Choice,
+                           .standard = 0.0,
+                           .choices = kObjectives};
+
+}  // namespace furrow

@@ -1,0 +1,64 @@
+#include "planner/route/route_proof.h"
+
+#include "planner/route/exact_order.h"
+#include "planner/route/order_bound.h"
+#include "planner/route/route_costs.h"
+
+#include <algorithm>
+
+namespace furrow {
+
+namespace {
+
+constexpr std::size_t kNearLinks = 10;
+constexpr std::size_t kRounds = 1'500;
+constexpr std::size_t kMostByBranching = 36;
+// Nodes of branch and bound times the square of the number of swaths: some tenths of a second.
+constexpr std::size_t kBranchingWork = 150'000;
+// An assignment takes time with the third power of the number.
+constexpr std::size_t kMostAssigned = 200;
+// A smaller gap is none.
+constexpr double kProved = 1e-6;
+
+double share(double cost, double bound) {
+    return cost > bound && bound > 0.0 ? cost / bound - 1.0 : 0.0;
+}
+
+}  // namespace
+
+double RouteProof::gap() const {
+    return share(nonWorking, lowerBound);
+}
+
+double RouteProof::gapTotal() const {
+    return share(working + nonWorking, working + lowerBound);
+}
+
+Result<RouteProof> proofOf(const Route& route, const RouteTask& task, const JobContext& job) {
+    RouteCosts costs{task};
+    LinkCosts& links = costs.links();
+    const EndOrder order = endOrder(route.steps);
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        links.check(otherEnd(order[i - 1]), order[i]);
+    }
+    RouteProof proof{.working = costs.working(), .nonWorking = links.of(order), .lowerBound = 0.0};
+    costs.setEffort(SearchEffort::None);
+    const std::size_t swaths = links.swathCount();
+    const FoundOrder known{.order = order, .cost = proof.nonWorking};
+    const OrderBound bound = heldKarpBound(links, nearEnds(links, kNearLinks), known.cost, kRounds, job);
+    proof.lowerBound = bound.cost;
+    if (proof.gap() > kProved && swaths <= kMostByDynamicProgramming) {
+        proof.lowerBound = std::min(known.cost, cheapestOrder(links).cost);
+    } else if (proof.gap() > kProved && swaths <= kMostByBranching) {
+        proof.lowerBound = branchAndBound(links, known, bound, kBranchingWork / (swaths * swaths), job).bound;
+    }
+    if (proof.gap() > kProved && swaths <= kMostAssigned) {
+        proof.lowerBound = std::max(proof.lowerBound, std::min(known.cost, assignmentBound(links)));
+    }
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
+    return proof;
+}
+
+}  // namespace furrow
