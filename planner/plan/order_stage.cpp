@@ -69,8 +69,7 @@ Result<RouteTask> taskInField(const OrderTask& task, const Decomposition& cells,
     if (!room) {
         return std::unexpected(room.error());
     }
-    const auto ways =
-        std::make_shared<WaysOfPath>(request, task.laid.swaths, cells, room->room->raised, job);
+    const auto ways = std::make_shared<WaysOfPath>(request, task.laid.swaths, cells, room->room->raised, job);
     route.way = [ways](const RouteStep& from, const RouteStep& to, SearchEffort effort) {
         return ways->between(from, to, effort);
     };
@@ -106,8 +105,9 @@ Result<Ordered> orderStage(const OrderTask& task, const JobContext& job) {
         cell.outline = *std::move(outline);
     }
     const Method<RoutePlanner>& method = routeMethod(task.request.settings);
-    const auto route = method.traits.isByTime ? taskInField(task, *cells, job)
-                                              : Result<RouteTask>{routeTask(task.request, laid.swaths, *cells)};
+    const auto route = method.traits.isByTime
+                           ? taskInField(task, *cells, job)
+                           : Result<RouteTask>{routeTask(task.request, laid.swaths, *cells)};
     if (!route) {
         return std::unexpected(route.error());
     }

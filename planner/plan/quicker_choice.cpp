@@ -285,8 +285,7 @@ Result<void> Chooser::tryCorners(Best& best) {
 Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
     std::vector<std::string_view> ids;
     if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable() ||
-        routeObjective(plan.request.settings) != RouteObjective::Time ||
-        hasOwnOrder(plan.request.settings) ||
+        routeObjective(plan.request.settings) != RouteObjective::Time || hasOwnOrder(plan.request.settings) ||
         plan.ordered->route.steps.empty()) {
         return ids;
     }

@@ -47,8 +47,7 @@ Result<WaysRoom> waysRoom(DrivingRooms& known, const PlanRequest& request,
     if (!forWays) {
         return std::unexpected(forWays.error());
     }
-    auto room =
-        drivingRoom(known, request, {ground, *forWays, mainland, traversalOf(request.settings)}, job);
+    auto room = drivingRoom(known, request, {ground, *forWays, mainland, traversalOf(request.settings)}, job);
     if (!room) {
         return std::unexpected(room.error());
     }

@@ -39,8 +39,8 @@ public:
         links_.resize(all_.size() * all_.size());
         for (std::size_t a = 0; a < all_.size(); ++a) {
             for (std::size_t b = 0; b < all_.size(); ++b) {
-                links_[a * all_.size() + b] =
-                    costs.link(otherEnd(enteredEnd(all_[a]->steps.back())), enteredEnd(all_[b]->steps.front()));
+                links_[a * all_.size() + b] = costs.link(otherEnd(enteredEnd(all_[a]->steps.back())),
+                                                         enteredEnd(all_[b]->steps.front()));
             }
         }
     }
@@ -270,7 +270,8 @@ Result<Route> routeOverCells(std::span<const PatternOrder> patterns, const Route
         return route;
     }
     const bool fromFirst = cells.front().size() == 1;
-    Route route{.steps = CellSequencer{costs.links(), std::move(cells)}.best(fromFirst, job), .lengthInPlace = {}};
+    Route route{.steps = CellSequencer{costs.links(), std::move(cells)}.best(fromFirst, job),
+                .lengthInPlace = {}};
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }

@@ -23,7 +23,7 @@ constexpr std::size_t kRoundsInNode = 60;
 struct Node {
     double bound = -kInfinite;
     std::vector<double> multipliers;
-    std::vector<std::size_t> taken;      ///< by index of the link
+    std::vector<std::size_t> taken;  ///< by index of the link
     std::vector<std::size_t> forbidden;
 };
 

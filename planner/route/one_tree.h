@@ -20,11 +20,11 @@ struct UndirectedLink {
 /// swaths is one of these, in which every end has one link.
 struct OneTree {
     double cost = 0.0;  ///< with the multipliers added to its links and taken off once for every end
-    std::vector<std::size_t> links;        ///< indices of the links of the tree
-    SwathEnd first = 0;                    ///< where the depot's way in arrives
-    SwathEnd last = 0;                     ///< where its way out begins
-    std::vector<int> degrees;              ///< links at every end
-    double squaredError = 0.0;             ///< sum of (degree - 1)² over the ends
+    std::vector<std::size_t> links;  ///< indices of the links of the tree
+    SwathEnd first = 0;              ///< where the depot's way in arrives
+    SwathEnd last = 0;               ///< where its way out begins
+    std::vector<int> degrees;        ///< links at every end
+    double squaredError = 0.0;       ///< sum of (degree - 1)² over the ends
     bool isTour() const { return squaredError == 0.0; }
 };
 

@@ -69,15 +69,14 @@ public:
         std::size_t rounds = isDraft_ ? 0 : std::clamp(kRoundsPerSwath * swaths, kLeastRounds, kMostRounds);
         for (int check = 0; check < kMostChecks && !job.stopRequested(); ++check) {
             const bool isExact = swaths <= kMostByDynamicProgramming && !isDraft_;
-            orders_.push_back(
-                isExact ? cheapestOrder(costs_.links()).order
-                        : searchedOrder({.costs = costs_.links(),
-                                         .near = near_,
-                                         .starts = orders_,
-                                         .rounds = rounds,
-                                         .better = {}},
-                                        job)
-                              .order);
+            orders_.push_back(isExact ? cheapestOrder(costs_.links()).order
+                                      : searchedOrder({.costs = costs_.links(),
+                                                       .near = near_,
+                                                       .starts = orders_,
+                                                       .rounds = rounds,
+                                                       .better = {}},
+                                                      job)
+                                            .order);
             rounds /= 2;
             if (isDraft_ || !checkLinks(orders_.back())) {
                 break;
@@ -149,8 +148,9 @@ constexpr const Parameter* kParameters[] = {&kRouteObjective, &kLocked, &kCorner
 
 const Parameter kLocked{.key = "route.locked",
                         .name = "Locked",
-                        .description = "Swath numbers that follow each other in this order; a minus drives one "
-                                       "the other way. The order of the others is searched.",
+                        .description =
+                            "Swath numbers that follow each other in this order; a minus drives one "
+                            "the other way. The order of the others is searched.",
                         .kind = ParameterKind::Numbers,
                         .standard = {},
                         .choices = {}};

@@ -129,8 +129,8 @@ OrderBound heldKarpBound(LinkCosts& costs, const NearEnds& near, double known, s
         }
         OneTreeFinder finder{
             {.swathCount = costs.swathCount(), .links = links.links(), .begin = begin, .finish = finish}};
-        const Ascent ascent = ascended(finder, multipliers, known,
-                                       pricing == 0 ? rounds : rounds / kLaterShare, job);
+        const Ascent ascent =
+            ascended(finder, multipliers, known, pricing == 0 ? rounds : rounds / kLaterShare, job);
         multipliers = ascent.multipliers;
         full = fullTree(costs, multipliers);
         const double proved = full.cost + depotCost(ascent.tree, links.links(), multipliers);

@@ -45,7 +45,10 @@ struct Move {
 class Tour {
 public:
     Tour(const LinkCosts& costs, const EndOrder& order)
-        : costs_{&costs}, entered_(order.size() + 2, kDepot), place_(order.size()), turning_(order.size() + 2) {
+        : costs_{&costs},
+          entered_(order.size() + 2, kDepot),
+          place_(order.size()),
+          turning_(order.size() + 2) {
         std::ranges::copy(order, entered_.begin() + 1);
         update(1, order.size());
     }
@@ -223,7 +226,9 @@ public:
     }
 
 private:
-    double link(std::size_t from, std::size_t to) const { return view_.link(view_.left(from), view_.entered(to)); }
+    double link(std::size_t from, std::size_t to) const {
+        return view_.link(view_.left(from), view_.entered(to));
+    }
 
     struct Link {
         SwathEnd leaving = kDepot;
@@ -353,7 +358,8 @@ private:
         return ends;
     }
 
-    /// Less and less towards the last round (Kirkpatrick, Gelatt & Vecchi 1983, doi 10.1126/science.220.4598.671).
+    /// Less and less towards the last round (Kirkpatrick, Gelatt & Vecchi 1983,
+    /// doi 10.1126/science.220.4598.671).
     double mayLose(double cost, std::size_t round) {
         const double left = 1.0 - static_cast<double>(round) / static_cast<double>(task_.rounds);
         const double chance = (static_cast<double>(random_() >> kUnusedBits) + 1.0) * 0x1.0p-53;

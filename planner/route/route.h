@@ -56,8 +56,8 @@ Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& sw
 /// L_0 of the paper for this order.
 Length lengthInPlace(const std::vector<RouteStep>& steps, const SwathSet& swaths);
 
-/// The way that a path takes from the end of one step to the start of another one. Empty if none is found with
-/// this effort.
+/// The way that a path takes from the end of one step to the start of another one. Empty if none is found
+/// with this effort.
 using WayInField =
     std::function<std::optional<Curve>(const RouteStep& from, const RouteStep& to, SearchEffort effort)>;
 
@@ -69,10 +69,10 @@ struct RouteTask {
     const Settings& settings;
     /// Swaths that are driven together, as indices in the order of the set. Empty: all of them.
     std::vector<std::vector<std::size_t>> cells = {};
-    WayInField way = {};          ///< empty: as in free space
+    WayInField way = {};              ///< empty: as in free space
     std::optional<Point> start = {};  ///< where the machine comes from
     std::optional<Point> end = {};    ///< where it goes to
-    bool isDraft = false;         ///< a first route, at once
+    bool isDraft = false;             ///< a first route, at once
 };
 
 /// The common signature of all route methods: every swath exactly once. InputRefused: a custom order that

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <string>
 
 namespace furrow {
@@ -27,15 +28,27 @@ constexpr Choice kObjectives[] = {
     {"fuel", "Fuel", "The least fuel for turns and ways; the least time if the machine has no fuel figures."},
 };
 
-/// The time in which the wheels are turned, from straight to straight.
+/// What turning the wheels costs, from straight to straight. On a short straight between two bends to the
+/// same side they are not turned back: it costs no more than the straight itself.
 Duration steering(const Curve& way, const Machine& machine) {
     Duration sum;
+    const auto pieces = std::span{way.pieces};
     Curvature before;
-    for (const CurvePiece& piece : way.pieces) {
-        sum += machine.steeringDuration(before, piece.curvature);
-        before = piece.endCurvature;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Duration turned = kSteeringShare * machine.steeringDuration(before, pieces[i].curvature);
+        const bool isBetween = i > 0 && i + 1 < pieces.size() && pieces[i].curvature == Curvature{} &&
+                               pieces[i].gear == pieces[i - 1].gear && pieces[i].gear == pieces[i + 1].gear &&
+                               before.si() * pieces[i + 1].curvature.si() > 0.0;
+        if (isBetween) {
+            const Duration there = kSteeringShare * machine.steeringDuration({}, pieces[i + 1].curvature);
+            sum += std::min(turned + there, seconds(pieces[i].length.si() / machine.turningSpeed().si()));
+            before = pieces[i + 1].curvature;
+        } else {
+            sum += turned;
+            before = pieces[i].endCurvature;
+        }
     }
-    return sum + machine.steeringDuration(before, {});
+    return sum + kSteeringShare * machine.steeringDuration(before, {});
 }
 
 }  // namespace
@@ -48,9 +61,7 @@ RouteObjective routeObjective(const Settings& settings) {
 }
 
 RouteCosts::RouteCosts(const RouteTask& task)
-    : task_{task},
-      objective_{routeObjective(task.settings)},
-      links_{task.swaths.swaths.size(), functions()} {
+    : task_{task}, objective_{routeObjective(task.settings)}, links_{task.swaths.swaths.size(), functions()} {
     const Tractor& tractor = task.machine.spec().tractor;
     const double fastest =
         std::max({task.machine.turningSpeed().si(), tractor.reverseSpeed.si(), tractor.transferSpeed.si()});
@@ -84,8 +95,9 @@ double RouteCosts::costOf(Length length, Duration time) const {
     switch (objective_) {
         case RouteObjective::Length: return length.si();
         case RouteObjective::Fuel:
-            return time.si() *
-                   (task_.machine.spec().fuel ? task_.machine.spec().fuel->turningLph / kSecondsPerHour : 1.0);
+            return time.si() * (task_.machine.spec().fuel
+                                    ? task_.machine.spec().fuel->turningLph / kSecondsPerHour
+                                    : 1.0);
         case RouteObjective::Time: break;
     }
     return time.si();
@@ -98,8 +110,8 @@ double RouteCosts::costOf(const Curve& way) const {
         time = time * (machine.turningSpeed() / machine.spec().tractor.transferSpeed);
     }
     const Implement& implement = machine.spec().implement;
-    return costOf(way.length(), std::max(time + kSteeringShare * steering(way, machine),
-                                         implement.liftTime + implement.lowerTime));
+    return costOf(way.length(),
+                  std::max(time + steering(way, machine), implement.liftTime + implement.lowerTime));
 }
 
 double RouteCosts::lockedOut(SwathEnd leaving, SwathEnd entered) const {
@@ -115,8 +127,9 @@ double RouteCosts::workingOn(std::size_t swath) const {
     switch (objective_) {
         case RouteObjective::Length: return length.si();
         case RouteObjective::Fuel:
-            return timeS *
-                   (task_.machine.spec().fuel ? task_.machine.spec().fuel->workingLph / kSecondsPerHour : 1.0);
+            return timeS * (task_.machine.spec().fuel
+                                ? task_.machine.spec().fuel->workingLph / kSecondsPerHour
+                                : 1.0);
         case RouteObjective::Time: break;
     }
     return timeS;
@@ -143,8 +156,7 @@ LinkCosts::Functions RouteCosts::functions() {
                (task_.end ? costPerMetre_ * distance(left_[left].position, *task_.end) : 0.0);
     };
     if (task_.way) {
-        const double noWay =
-            costOf(metres(kNoWay.si() * task_.machine.turningSpeed().si()), kNoWay);
+        const double noWay = costOf(metres(kNoWay.si() * task_.machine.turningSpeed().si()), kNoWay);
         costs.fitting = [this, noWay](SwathEnd leaving, SwathEnd entered) -> std::optional<double> {
             const auto way = task_.way(stepEntering(otherEnd(leaving)), stepEntering(entered), effort_);
             if (!way && effort_ == SearchEffort::None) {
@@ -157,10 +169,10 @@ LinkCosts::Functions RouteCosts::functions() {
 }
 
 const Parameter kRouteObjective{.key = "route.objective",
-                           .name = "Saves",
-                           .description = "What the order of the swaths is to save.",
-                           .kind = ParameterKind::Choice,
-                           .standard = 0.0,
-                           .choices = kObjectives};
+                                .name = "Saves",
+                                .description = "What the order of the swaths is to save.",
+                                .kind = ParameterKind::Choice,
+                                .standard = 0.0,
+                                .choices = kObjectives};
 
 }  // namespace furrow

@@ -18,8 +18,8 @@ RouteObjective routeObjective(const Settings& settings);
 
 /// What the swaths of a task and the links between them cost by the chosen objective: seconds, metres or
 /// litres. Turns are driven at the speeds for turning and reversing, long ways of several moves at the speed
-/// for transfers. A link for which no way fits costs some minutes more than in free space, and one that breaks
-/// what route.locked says hours more. The task must outlive it.
+/// for transfers. A link for which no way fits costs some minutes more than in free space, and one that
+/// breaks what route.locked says hours more. The task must outlive it.
 class RouteCosts {
 public:
     explicit RouteCosts(const RouteTask& task);

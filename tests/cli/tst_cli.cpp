@@ -168,15 +168,16 @@ private slots:
         hasAll("headland", {"width_m", "passes", "mainland_ratio"});
         hasAll("swaths",
                {"count", "total_length_m", "heading_deg", "proved", "coverage", "overlap_m2", "shift_m"});
-        hasAll("route", {"method", "objective", "length_in_place_m", "cost", "non_working_cost", "lower_bound",
-                         "gap", "gap_total"});
+        hasAll("route", {"method", "objective", "length_in_place_m", "cost", "non_working_cost",
+                         "lower_bound", "gap", "gap_total"});
         const QJsonObject route = top["route"].toObject();
         const double nonWorking = route["non_working_cost"].toDouble();
         const double bound = route["lower_bound"].toDouble();
         QVERIFY(bound > 0.0 && bound <= nonWorking + 1e-6);
         COMPARE_WITHIN(route["gap"].toDouble(), nonWorking / bound - 1.0, 1e-9);
         const double working = route["cost"].toDouble() - nonWorking;
-        COMPARE_WITHIN(route["gap_total"].toDouble(), route["cost"].toDouble() / (working + bound) - 1.0, 1e-9);
+        COMPARE_WITHIN(route["gap_total"].toDouble(), route["cost"].toDouble() / (working + bound) - 1.0,
+                       1e-9);
         hasAll("path", {"length_m", "turn_length_m", "transfer_length_m", "reverse_length_m", "time_s",
                         "turns", "undrivable_turns"});
         hasAll("audit",

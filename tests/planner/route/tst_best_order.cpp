@@ -31,7 +31,8 @@ EndOrder orderOf(std::initializer_list<int> numbers, SwathEnd first = 0) {
 FoundOrder searched(const LinkCosts& costs, std::size_t rounds) {
     const NearEnds near = nearEnds(costs, kNear);
     const std::vector<EndOrder> starts{test::plainOrder(costs.swathCount())};
-    return searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = rounds, .better = {}}, {});
+    return searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = rounds, .better = {}},
+                         {});
 }
 
 OrderBound boundOf(LinkCosts& costs, double known) {
@@ -48,14 +49,14 @@ bool isEverySwathOnce(const EndOrder& order, std::size_t count) {
 
 /// The same costs with the first and the last end given.
 LinkCosts withEnds(const std::vector<test::Track>& tracks, SwathEnd first, SwathEnd last) {
-    return LinkCosts{tracks.size(),
-                     {.link = [costs = std::make_shared<LinkCosts>(
-                                   test::trackCosts(tracks, kRadius, TurnKind::BulbOrU))](
-                                  SwathEnd from, SwathEnd to) { return costs->link(from, to); },
-                      .atLeast = {},
-                      .begin = [first](SwathEnd end) { return end == first ? 0.0 : kElsewhere; },
-                      .finish = [last](SwathEnd end) { return end == last ? 0.0 : kElsewhere; },
-                      .fitting = {}}};
+    return LinkCosts{
+        tracks.size(),
+        {.link = [costs = std::make_shared<LinkCosts>(test::trackCosts(tracks, kRadius, TurnKind::BulbOrU))](
+                     SwathEnd from, SwathEnd to) { return costs->link(from, to); },
+         .atLeast = {},
+         .begin = [first](SwathEnd end) { return end == first ? 0.0 : kElsewhere; },
+         .finish = [last](SwathEnd end) { return end == last ? 0.0 : kElsewhere; },
+         .fitting = {}}};
 }
 
 }  // namespace
@@ -71,8 +72,8 @@ private slots:
         COMPARE_WITHIN(a.of(orderOf({1, 6, 2, 7, 3, 8, 4, 9, 5, 10})), 239.98, 0.01);
         COMPARE_WITHIN(a.of(orderOf({2, 4, 6, 9, 7, 10, 8, 5, 3, 1})), 171.58, 0.01);
         const LinkCosts b = test::trackCosts(test::fieldB(), kRadius, TurnKind::BulbOrU);
-        COMPARE_WITHIN(b.of(orderOf({1, 3, 5, 7, 9, 11, 12, 14, 16, 18, 17, 15, 13, 10, 8, 6, 4, 2}, 1)), 351.40,
-                       0.01);
+        COMPARE_WITHIN(b.of(orderOf({1, 3, 5, 7, 9, 11, 12, 14, 16, 18, 17, 15, 13, 10, 8, 6, 4, 2}, 1)),
+                       351.40, 0.01);
         const LinkCosts omega = test::trackCosts(test::fieldA(), kRadius, TurnKind::ForwardOmega);
         COMPARE_WITHIN(omega.of(test::plainOrder(10)), 305.03, 0.01);
     }
@@ -91,11 +92,11 @@ private slots:
         QFETCH(double, optimum);
         const auto tracks = field.startsWith('A') ? test::fieldA() : test::fieldB();
         LinkCosts costs =
-            field == "A from 2 to 1"   ? withEnds(tracks, 2, 0)
-            : field == "B from 1 to 2" ? withEnds(tracks, 1, 3)
-                                       : test::trackCosts(tracks, kRadius,
-                                                          field == "A omega" ? TurnKind::ForwardOmega
-                                                                             : TurnKind::BulbOrU);
+            field == "A from 2 to 1" ? withEnds(tracks, 2, 0)
+            : field == "B from 1 to 2"
+                ? withEnds(tracks, 1, 3)
+                : test::trackCosts(tracks, kRadius,
+                                   field == "A omega" ? TurnKind::ForwardOmega : TurnKind::BulbOrU);
         const FoundOrder found = searched(costs, 5'000);
         QVERIFY(isEverySwathOnce(found.order, tracks.size()));
         COMPARE_WITHIN(found.cost, optimum, 0.01);
@@ -117,11 +118,10 @@ private slots:
         for (int i = 0; i < kInstances; ++i) {
             const auto count = static_cast<std::size_t>(2 + i % 9);
             const double width = test::uniform(random, 2.0, 6.0);
-            LinkCosts costs =
-                test::trackCosts(test::randomTracks(random, count, width),
-                                 test::uniform(random, 0.4, 3.0) * width,
-                                 i % 4 < 2 ? TurnKind::BulbOrU : TurnKind::ForwardOmega,
-                                 i % 2 == 0 ? 0.0 : test::uniform(random, 0.0, 0.5));
+            LinkCosts costs = test::trackCosts(test::randomTracks(random, count, width),
+                                               test::uniform(random, 0.4, 3.0) * width,
+                                               i % 4 < 2 ? TurnKind::BulbOrU : TurnKind::ForwardOmega,
+                                               i % 2 == 0 ? 0.0 : test::uniform(random, 0.0, 0.5));
             const FoundOrder best = cheapestOrder(costs);
             QVERIFY(isEverySwathOnce(best.order, count));
             COMPARE_WITHIN(costs.of(best.order), best.cost, 1e-9);
@@ -191,9 +191,9 @@ private slots:
         stop.request_stop();
         const NearEnds near = nearEnds(costs, kNear);
         const std::vector<EndOrder> starts{test::plainOrder(60)};
-        const FoundOrder kept = searchedOrder(
-            {.costs = costs, .near = near, .starts = starts, .rounds = 1'000'000, .better = {}},
-            {.stop = stop.get_token(), .progress = {}});
+        const FoundOrder kept =
+            searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = 1'000'000, .better = {}},
+                          {.stop = stop.get_token(), .progress = {}});
         QVERIFY(isEverySwathOnce(kept.order, 60));
         QCOMPARE(kept.cost, costs.of(starts[0]));
     }
@@ -201,16 +201,15 @@ private slots:
     // A link that is found not to fit is dearer from then on, and never cheaper than in free space.
     void checkedLinks() {
         const auto free = [](SwathEnd, SwathEnd) { return 10.0; };
-        LinkCosts costs{2,
-                        {.link = free,
-                         .atLeast = {},
-                         .begin = {},
-                         .finish = {},
-                         .fitting = [](SwathEnd leaving, SwathEnd) -> std::optional<double> {
-                             return leaving == 0   ? std::optional{25.0}
-                                    : leaving == 1 ? std::optional{4.0}
-                                                   : std::nullopt;
-                         }}};
+        LinkCosts costs{
+            2,
+            {.link = free,
+             .atLeast = {},
+             .begin = {},
+             .finish = {},
+             .fitting = [](SwathEnd leaving, SwathEnd) -> std::optional<double> {
+                 return leaving == 0 ? std::optional{25.0} : leaving == 1 ? std::optional{4.0} : std::nullopt;
+             }}};
         QCOMPARE(costs.link(0, 2), 10.0);
         QVERIFY(costs.check(0, 2));
         QCOMPARE(costs.link(0, 2), 25.0);

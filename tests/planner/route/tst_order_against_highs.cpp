@@ -107,9 +107,9 @@ private slots:
         std::mt19937_64 random{static_cast<std::uint64_t>(swaths)};
         for (int i = 0; i < instances; ++i) {
             const auto count = static_cast<std::size_t>(swaths);
-            LinkCosts costs = test::trackCosts(test::randomTracks(random, count, 3.0),
-                                               test::uniform(random, 2.0, 9.0),
-                                               i % 2 == 0 ? TurnKind::BulbOrU : TurnKind::ForwardOmega);
+            LinkCosts costs =
+                test::trackCosts(test::randomTracks(random, count, 3.0), test::uniform(random, 2.0, 9.0),
+                                 i % 2 == 0 ? TurnKind::BulbOrU : TurnKind::ForwardOmega);
             const double optimum = optimumByHighs(costs);
             const NearEnds near = nearEnds(costs, 10);
             const std::vector<EndOrder> starts{test::plainOrder(count)};

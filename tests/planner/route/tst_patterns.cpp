@@ -299,8 +299,8 @@ private slots:
             QCOMPARE(best->steps.size(), swaths.swaths.size());
             const double cost = linkCost(best->steps, task);
             const QByteArray said = QStringLiteral("seed %1, field %2").arg(kSeed).arg(i).toUtf8();
-            for (const auto* method : {&kBoustrophedonMethod, &kSnakeMethod, &kSpiralMethod, &kSkipMethod,
-                                       &kRacetrackMethod}) {
+            for (const auto* method :
+                 {&kBoustrophedonMethod, &kSnakeMethod, &kSpiralMethod, &kSkipMethod, &kRacetrackMethod}) {
                 const auto pattern = method->run(task, {});
                 VERIFY_RESULT(pattern);
                 VERIFY_TOLD(cost <= linkCost(pattern->steps, task) + 1e-9, said);
@@ -321,8 +321,7 @@ private slots:
         RouteTask task{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = {}};
         int asked = 0;
         // From the first swath none leads to the second one, in either direction.
-        task.way = [&](const RouteStep& from, const RouteStep& to,
-                       SearchEffort) -> std::optional<Curve> {
+        task.way = [&](const RouteStep& from, const RouteStep& to, SearchEffort) -> std::optional<Curve> {
             ++asked;
             if (from.swath + to.swath == 1) {
                 return std::nullopt;
@@ -353,8 +352,8 @@ private slots:
         QFETCH(QString, block);
         QFETCH(double, heightM);
         const SwathSet swaths = swathsOf({test::rectangle(100.0, heightM)}, 5.0, 0.0);
-        const auto route = test::routeBy(kOptimisedMethod, swaths, agbot(),
-                                         settingsOf({{&kLocked, locked.toStdString()}}));
+        const auto route =
+            test::routeBy(kOptimisedMethod, swaths, agbot(), settingsOf({{&kLocked, locked.toStdString()}}));
         VERIFY_RESULT(route);
         QCOMPARE(route->steps.size(), swaths.swaths.size());
         QVERIFY2((' ' + told(*route) + ' ').contains(' ' + block + ' '), qPrintable(told(*route)));
