@@ -34,11 +34,14 @@ double RouteProof::gapTotal() const {
     return share(working + nonWorking, working + lowerBound);
 }
 
-Result<RouteProof> proofOf(const Route& route, const RouteTask& task, const JobContext& job) {
+Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& task, const JobContext& job) {
     RouteCosts costs{task};
     LinkCosts& links = costs.links();
     const EndOrder order = endOrder(route.steps);
     for (std::size_t i = 1; i < order.size(); ++i) {
+        if (task.way && !task.way(route.steps[i - 1], route.steps[i], SearchEffort::Thorough)) {
+            return std::nullopt;
+        }
         links.check(otherEnd(order[i - 1]), order[i]);
     }
     RouteProof proof{.working = costs.working(), .nonWorking = links.of(order), .lowerBound = 0.0};

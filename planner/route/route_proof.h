@@ -4,6 +4,8 @@
 #include "planner/jobs/job.h"
 #include "planner/route/route.h"
 
+#include <optional>
+
 namespace furrow {
 
 /// How far a route is from the best, in the unit of route.objective: seconds, metres or litres.
@@ -24,7 +26,7 @@ struct RouteProof {
 /// The cost of a route and a lower bound for all routes over these swaths, by these turns. The larger one of
 /// Held and Karp's bound and an assignment's; for few swaths the optimum, by dynamic programming or by branch
 /// and bound. Links count with the way that fits where a single curve fits, and as in free space elsewhere.
-/// Cancelled. Cost: milliseconds to a second.
-Result<RouteProof> proofOf(const Route& route, const RouteTask& task, const JobContext& job);
+/// Empty if the route has a link for which no way fits. Cancelled. Cost: milliseconds to a second.
+Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -307,10 +307,11 @@ private slots:
             }
             const auto proof = proofOf(*best, task, {});
             VERIFY_RESULT(proof);
-            COMPARE_WITHIN(proof->nonWorking, cost, 1e-9);
-            VERIFY_TOLD(proof->lowerBound > 0.0 && proof->lowerBound <= cost + 1e-9, said);
-            VERIFY_TOLD(proof->gap() < 0.25 && proof->gapTotal() <= proof->gap(), said);
-            QVERIFY(proof->working > 0.0);
+            QVERIFY(proof->has_value());
+            COMPARE_WITHIN((*proof)->nonWorking, cost, 1e-9);
+            VERIFY_TOLD((*proof)->lowerBound > 0.0 && (*proof)->lowerBound <= cost + 1e-9, said);
+            VERIFY_TOLD((*proof)->gap() < 0.25 && (*proof)->gapTotal() <= (*proof)->gap(), said);
+            QVERIFY((*proof)->working > 0.0);
         }
     }
 
@@ -368,6 +369,19 @@ private slots:
             QCOMPARE(route.error().code, ErrorCode::InputRefused);
             QCOMPARE(route.error().where, std::string{"route.locked"});
         }
+    }
+
+    // Without a way there is no cost to compare with a bound.
+    void noProofWithoutAWay() {
+        const SwathSet swaths = swathsOf({test::rectangle(100.0, 15.0)}, 5.0, 0.0);
+        RouteTask task{.swaths = swaths, .machine = agbot(), .turn = kDubinsMethod.run, .settings = {}};
+        task.way = [](const RouteStep&, const RouteStep&, SearchEffort) { return std::optional<Curve>{}; };
+        const auto route = kOptimisedMethod.run(task, {});
+        VERIFY_RESULT(route);
+        QCOMPARE(route->steps.size(), std::size_t{3});
+        const auto proof = proofOf(*route, task, {});
+        VERIFY_RESULT(proof);
+        QVERIFY(!*proof);
     }
 
     // The way from a gate counts.
