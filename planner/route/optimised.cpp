@@ -20,9 +20,9 @@ namespace {
 constexpr std::size_t kMostSkipped = 6;
 constexpr std::array<std::size_t, 3> kClusters{4, 6, 10};
 constexpr std::size_t kNearLinks = 10;
-constexpr std::size_t kRoundsPerSwath = 40;
+constexpr std::size_t kRoundsPerSwath = 20;
 constexpr std::size_t kLeastRounds = 1'000;
-constexpr std::size_t kMostRounds = 20'000;
+constexpr std::size_t kMostRounds = 4'000;
 // How often an order is searched anew after ways that do not fit were found along it.
 constexpr int kMostChecks = 6;
 

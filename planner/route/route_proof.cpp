@@ -11,7 +11,10 @@ namespace furrow {
 namespace {
 
 constexpr std::size_t kNearLinks = 10;
-constexpr std::size_t kRounds = 1'500;
+// Of the multipliers: fewer for many swaths, about two seconds at most.
+constexpr std::size_t kMostRounds = 1'500;
+constexpr std::size_t kLeastRounds = 200;
+constexpr std::size_t kRoundsTimesSwaths = 200'000;
 constexpr std::size_t kMostByBranching = 36;
 // Nodes of branch and bound times the square of the number of swaths: some tenths of a second.
 constexpr std::size_t kBranchingWork = 150'000;
@@ -47,8 +50,10 @@ Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& t
     RouteProof proof{.working = costs.working(), .nonWorking = links.of(order), .lowerBound = 0.0};
     costs.setEffort(SearchEffort::None);
     const std::size_t swaths = links.swathCount();
+    const std::size_t rounds =
+        std::clamp(kRoundsTimesSwaths / std::max<std::size_t>(1, swaths), kLeastRounds, kMostRounds);
     const FoundOrder known{.order = order, .cost = proof.nonWorking};
-    const OrderBound bound = heldKarpBound(links, nearEnds(links, kNearLinks), known.cost, kRounds, job);
+    const OrderBound bound = heldKarpBound(links, nearEnds(links, kNearLinks), known.cost, rounds, job);
     proof.lowerBound = bound.cost;
     if (proof.gap() > kProved && swaths <= kMostByDynamicProgramming) {
         proof.lowerBound = std::min(known.cost, cheapestOrder(links).cost);
