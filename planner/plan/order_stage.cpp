@@ -116,7 +116,8 @@ Result<Ordered> orderStage(const OrderTask& task, const JobContext& job) {
     });
 }
 
-Result<std::optional<RouteProof>> proofStage(const OrderTask& task, const Ordered& ordered, const JobContext& job) {
+Result<std::optional<RouteProof>> proofStage(const OrderTask& task, const Ordered& ordered,
+                                             const JobContext& job) {
     return taskInField(task, ordered.cells, job).and_then([&](const RouteTask& route) {
         return proofOf(ordered.route, route, job);
     });

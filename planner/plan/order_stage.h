@@ -21,7 +21,8 @@ struct OrderTask {
 Result<Ordered> orderStage(const OrderTask& task, const JobContext& job);
 
 /// How far this order is from the best one. Empty if that cannot be told. Cancelled.
-Result<std::optional<RouteProof>> proofStage(const OrderTask& task, const Ordered& ordered, const JobContext& job);
+Result<std::optional<RouteProof>> proofStage(const OrderTask& task, const Ordered& ordered,
+                                             const JobContext& job);
 
 /// What a route over these cells is made from, in free space. Points into all three, which must outlive it.
 RouteTask routeTask(const PlanRequest& request, const SwathSet& swaths, const Decomposition& cells);
