@@ -75,7 +75,8 @@ public:
                                                        .starts = orders_,
                                                        .rounds = rounds,
                                                        .better = {}},
-                                                      job)
+                                                      job.part(static_cast<double>(check) / kMostChecks,
+                                                               (check + 1.0) / kMostChecks))
                                             .order);
             rounds /= 2;
             if (isDraft_ || !checkLinks(orders_.back())) {
@@ -126,7 +127,7 @@ Result<Route> optimised(const RouteTask& task, const JobContext& job) {
         return std::unexpected(locked.error());
     }
     RouteCosts costs{task};
-    auto starts = patternOrders(task, costs, job);
+    auto starts = patternOrders(task, costs, job.withoutProgress());
     if (!starts) {
         return std::unexpected(starts.error());
     }

@@ -165,9 +165,10 @@ private slots:
         VERIFY_RESULT(left);
         VERIFY_RESULT(right);
         QVERIFY((*left)->drivable() && (*right)->drivable());
-        // Orders and numbers of passes that are equally quick are decided by rounding.
+        // Orders and numbers of passes that are equally quick are decided by rounding, and by where a search
+        // begins: one may be longer and no slower.
         COMPARE_WITHIN((*right)->path.length().si(), (*left)->path.length().si(),
-                       0.02 * (*left)->path.length().si());
+                       0.03 * (*left)->path.length().si());
         COMPARE_WITHIN((*right)->path.duration().si(), (*left)->path.duration().si(),
                        0.03 * (*left)->path.duration().si());
         COMPARE_WITHIN(coveredShare(**right), coveredShare(**left), 1e-3);

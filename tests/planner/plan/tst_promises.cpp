@@ -208,8 +208,11 @@ void TestPromises::widthHoldsItsPasses() {
     VERIFY_RESULT(plan);
     QCOMPARE((*plan)->headland.passes, passes);
     COMPARE_WITHIN((*plan)->headland.width.si(), laidM, 1e-6);
+    // Passes that finish a corner are short and may lie anywhere.
     const auto ofRing = [&](int ring) {
-        return std::ranges::count((*plan)->headland.drivenPasses, ring, &HeadlandPass::ring);
+        return std::ranges::count_if((*plan)->headland.drivenPasses, [ring](const HeadlandPass& pass) {
+            return pass.ring == ring && pass.length() > metres(100.0);
+        });
     };
     QVERIFY(ofRing(passes - 1) >= 1);
     QCOMPARE(ofRing(passes), 0);

@@ -110,7 +110,8 @@ void TestStageCache::onlyWhatDependsIsRunAgain_data() {
     QTest::addColumn<bool>("swaths");
     QTest::addColumn<bool>("route");
     QTest::newRow("nothing") << "route.start" << "" << false << false << false;
-    QTest::newRow("where the route begins") << "route.traversal" << "boundary" << false << false << false;
+    QTest::newRow("where ways lead, which the order depends on")
+        << "route.traversal" << "boundary" << false << false << true;
     QTest::newRow("order") << "route.method" << "racetrack" << false << false << true;
     QTest::newRow("swaths") << "swaths.overlap_m" << "0.1" << false << true << true;
     QTest::newRow("headland") << "headland.passes" << "3" << true << true << true;
