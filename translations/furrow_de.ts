@@ -6415,11 +6415,11 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>bewiesen: keine Reihenfolge ist besser</translation>
+        <translation>bewiesen die beste</translation>
     </message>
     <message>
-        <source>turns within %1 of the best order</source>
-        <translation>Wendungen höchstens %1 über der besten Reihenfolge</translation>
+        <source>turns within %1 of the best</source>
+        <translation>Wendungen: höchstens +%1</translation>
     </message>
 </context>
 <context>

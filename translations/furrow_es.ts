@@ -6415,11 +6415,11 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>demostrado: ningún orden es mejor</translation>
+        <translation>el mejor, demostrado</translation>
     </message>
     <message>
-        <source>turns within %1 of the best order</source>
-        <translation>giros a lo sumo un %1 sobre el mejor orden</translation>
+        <source>turns within %1 of the best</source>
+        <translation>giros: +%1 como mucho</translation>
     </message>
 </context>
 <context>

@@ -6415,11 +6415,11 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>prouvé : aucun ordre n’est meilleur</translation>
+        <translation>le meilleur, prouvé</translation>
     </message>
     <message>
-        <source>turns within %1 of the best order</source>
-        <translation>demi-tours à %1 au plus du meilleur ordre</translation>
+        <source>turns within %1 of the best</source>
+        <translation>demi-tours : +%1 au plus</translation>
     </message>
 </context>
 <context>

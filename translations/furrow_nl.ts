@@ -6415,11 +6415,11 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>bewezen: geen volgorde is beter</translation>
+        <translation>bewezen de beste</translation>
     </message>
     <message>
-        <source>turns within %1 of the best order</source>
-        <translation>draaien hooguit %1 boven de beste volgorde</translation>
+        <source>turns within %1 of the best</source>
+        <translation>draaien: hooguit +%1</translation>
     </message>
 </context>
 <context>

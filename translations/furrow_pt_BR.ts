@@ -6415,11 +6415,11 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>provado: nenhuma ordem é melhor</translation>
+        <translation>a melhor, provado</translation>
     </message>
     <message>
-        <source>turns within %1 of the best order</source>
-        <translation>manobras no máximo %1 acima da melhor ordem</translation>
+        <source>turns within %1 of the best</source>
+        <translation>manobras: +%1 no máximo</translation>
     </message>
 </context>
 <context>
