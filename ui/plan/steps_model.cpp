@@ -83,9 +83,9 @@ QString resultOf(std::string_view stage, const Plan& plan) {
     }
     if (stage == "route") {
         if (plan.proof) {
-            return plan.proof->gap() < kProvedGap ? StepsModel::tr("proved: no order is better")
-                                                  : StepsModel::tr("turns within %1 of the best")
-                                                        .arg(percentText(plan.proof->gap(), 1));
+            return plan.proof->gap() < kProvedGap
+                       ? StepsModel::tr("proved: no order is better")
+                       : StepsModel::tr("turns within %1 of the best").arg(percentText(plan.proof->gap(), 1));
         }
         return StepsModel::tr("%1 with turns on the spot").arg(lengthText(plan.route.lengthInPlace));
     }
