@@ -126,7 +126,8 @@ bool isCancelled(const auto& result) {
 
 /// An order of one's own names the swaths of just these choices.
 bool hasOwnOrder(const Settings& settings) {
-    return routeMethod(settings).traits.isByHand || !settings.numbers(kLocked).empty();
+    const auto& traits = routeMethod(settings).traits;
+    return traits.isByHand || (traits.isByTime && !settings.numbers(kLocked).empty());
 }
 
 /// The best plan so far.

@@ -144,12 +144,12 @@ std::optional<std::size_t> BranchAndBound::opened(Node& node, const JobContext& 
 ProvedOrder BranchAndBound::run(const OrderBound& bound, std::size_t mostNodes, const JobContext& job) {
     std::vector<Node> open{{bound.cost, bound.multipliers, {}, {}}};
     ProvedOrder result;
-    while (!open.empty() && open.front().bound < closedAt() && result.nodes < mostNodes &&
-           !job.stopRequested()) {
+    std::size_t nodes = 0;
+    while (!open.empty() && open.front().bound < closedAt() && nodes < mostNodes && !job.stopRequested()) {
         std::ranges::pop_heap(open, HeapOrder{});
         Node node = std::move(open.back());
         open.pop_back();
-        ++result.nodes;
+        ++nodes;
         const auto link = opened(node, job);
         if (link) {
             Node with = node;

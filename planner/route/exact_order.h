@@ -19,7 +19,6 @@ FoundOrder cheapestOrder(const LinkCosts& costs);
 struct ProvedOrder {
     FoundOrder found;
     double bound = 0.0;
-    std::size_t nodes = 0;  ///< of the search tree that were looked at
 };
 
 /// Branch and bound with one-trees: a link of an end that has several is taken or forbidden. Starts from a

@@ -113,6 +113,9 @@ private:
     std::unordered_map<std::uint64_t, double> checked_;
 };
 
+/// The cheapest links of an end, among which searches and bounds look first.
+inline constexpr std::size_t kNearLinks = 10;
+
 /// For every end the cheapest links, the cheapest first.
 struct NearEnds {
     std::vector<std::vector<SwathEnd>> enteredFrom;  ///< [leaving]: ends to enter next

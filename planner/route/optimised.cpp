@@ -19,7 +19,6 @@ namespace {
 // With more swaths left out, ways get longer and turns no quicker.
 constexpr std::size_t kMostSkipped = 6;
 constexpr std::array<std::size_t, 3> kClusters{4, 6, 10};
-constexpr std::size_t kNearLinks = 10;
 constexpr std::size_t kRoundsPerSwath = 20;
 constexpr std::size_t kLeastRounds = 1'000;
 constexpr std::size_t kMostRounds = 4'000;
@@ -69,15 +68,12 @@ public:
         std::size_t rounds = isDraft_ ? 0 : std::clamp(kRoundsPerSwath * swaths, kLeastRounds, kMostRounds);
         for (int check = 0; check < kMostChecks && !job.stopRequested(); ++check) {
             const bool isExact = swaths <= kMostByDynamicProgramming && !isDraft_;
-            orders_.push_back(isExact ? cheapestOrder(costs_.links()).order
-                                      : searchedOrder({.costs = costs_.links(),
-                                                       .near = near_,
-                                                       .starts = orders_,
-                                                       .rounds = rounds,
-                                                       .better = {}},
-                                                      job.part(static_cast<double>(check) / kMostChecks,
-                                                               (check + 1.0) / kMostChecks))
-                                            .order);
+            orders_.push_back(
+                isExact ? cheapestOrder(costs_.links()).order
+                        : searchedOrder(
+                              {.costs = costs_.links(), .near = near_, .starts = orders_, .rounds = rounds},
+                              job.part(static_cast<double>(check) / kMostChecks, (check + 1.0) / kMostChecks))
+                              .order);
             rounds /= 2;
             if (isDraft_ || !checkLinks(orders_.back())) {
                 break;

@@ -23,13 +23,11 @@ class LinkSet {
 public:
     explicit LinkSet(const LinkCosts& costs) : costs_{costs} {}
 
-    bool add(SwathEnd a, SwathEnd b) {
+    void add(SwathEnd a, SwathEnd b) {
         const auto [low, high] = std::minmax(a, b);
-        if (a / 2 == b / 2 || !known_.emplace(low, high).second) {
-            return false;
+        if (a / 2 != b / 2 && known_.emplace(low, high).second) {
+            links_.push_back({low, high, costs_.eitherWay(low, high)});
         }
-        links_.push_back({low, high, costs_.eitherWay(low, high)});
-        return true;
     }
     const std::vector<UndirectedLink>& links() const { return links_; }
     void lookUpAgain() {

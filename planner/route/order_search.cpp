@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -453,17 +454,11 @@ FoundOrder OrderSearch::run() {
     }
     std::ranges::stable_sort(starts, {}, &FoundOrder::cost);
     FoundOrder best = starts.front();
-    const auto take = [&](const Tour& tour, double cost, std::size_t rounds) {
+    const auto take = [&](const Tour& tour, double cost) {
         if (cost < best.cost - kRounding * std::max(1.0, best.cost)) {
             best = {tour.order(), tour.cost()};
-            if (task_.better) {
-                task_.better(rounds, best.cost);
-            }
         }
     };
-    if (task_.better) {
-        task_.better(0, best.cost);
-    }
     starts.resize(std::min(starts.size(), kBestStarts));
     const std::size_t swaths = task_.costs.swathCount();
     for (const FoundOrder& start : starts) {
@@ -471,18 +466,17 @@ FoundOrder OrderSearch::run() {
         for (std::size_t swath = 0; swath < swaths; ++swath) {
             queue_.push(swath);
         }
-        take(tour, improve(tour, start.cost), 0);
+        take(tour, improve(tour, start.cost));
     }
     if (swaths < 2) {
         return best;
     }
     Tour kept{task_.costs, best.order};
     double keptCost = best.cost;
-    for (std::size_t round = 0; round < task_.rounds && best.cost > task_.enough && !job_.stopRequested();
-         ++round) {
+    for (std::size_t round = 0; round < task_.rounds && !job_.stopRequested(); ++round) {
         Tour tour = kept;
         const double cost = improve(tour, disturb(tour, keptCost));
-        take(tour, cost, round + 1);
+        take(tour, cost);
         if (cost < keptCost + mayLose(best.cost, round)) {
             std::swap(kept, tour);
             keptCost = cost;

@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,10 +17,6 @@ struct OrderSearchTask {
     std::span<const EndOrder> starts;  ///< at least one; each names every swath once
     std::size_t rounds = 0;            ///< after the first improvement of the starts
     std::uint64_t seed = 1;
-    /// Nothing costs less than this: the search ends there.
-    double enough = -std::numeric_limits<double>::infinity();
-    /// Called with each better order and the number of rounds before it; may be empty.
-    std::function<void(std::size_t rounds, double cost)> better = {};
 };
 
 struct FoundOrder {

@@ -2,7 +2,6 @@
 
 #include "planner/route/link_costs.h"
 #include "planner/route/route.h"
-
 #include "planner/turns/manoeuvre_search.h"
 
 #include <vector>

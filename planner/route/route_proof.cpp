@@ -10,7 +10,6 @@ namespace furrow {
 
 namespace {
 
-constexpr std::size_t kNearLinks = 10;
 // Of the multipliers: fewer for many swaths, about two seconds at most.
 constexpr std::size_t kMostRounds = 1'500;
 constexpr std::size_t kLeastRounds = 200;

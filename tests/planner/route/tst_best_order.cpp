@@ -31,8 +31,7 @@ EndOrder orderOf(std::initializer_list<int> numbers, SwathEnd first = 0) {
 FoundOrder searched(const LinkCosts& costs, std::size_t rounds) {
     const NearEnds near = nearEnds(costs, kNear);
     const std::vector<EndOrder> starts{test::plainOrder(costs.swathCount())};
-    return searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = rounds, .better = {}},
-                         {});
+    return searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = rounds}, {});
 }
 
 OrderBound boundOf(LinkCosts& costs, double known) {
@@ -192,7 +191,7 @@ private slots:
         const NearEnds near = nearEnds(costs, kNear);
         const std::vector<EndOrder> starts{test::plainOrder(60)};
         const FoundOrder kept =
-            searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = 1'000'000, .better = {}},
+            searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = 1'000'000},
                           {.stop = stop.get_token(), .progress = {}});
         QVERIFY(isEverySwathOnce(kept.order, 60));
         QCOMPARE(kept.cost, costs.of(starts[0]));

@@ -113,8 +113,8 @@ private slots:
             const double optimum = optimumByHighs(costs);
             const NearEnds near = nearEnds(costs, 10);
             const std::vector<EndOrder> starts{test::plainOrder(count)};
-            const FoundOrder found = searchedOrder(
-                {.costs = costs, .near = near, .starts = starts, .rounds = 5'000, .better = {}}, {});
+            const FoundOrder found =
+                searchedOrder({.costs = costs, .near = near, .starts = starts, .rounds = 5'000}, {});
             const OrderBound bound = heldKarpBound(costs, near, found.cost, 1'500, {});
             QVERIFY(found.cost >= optimum - 1e-6);
             QVERIFY(bound.cost <= optimum + 1e-6);
