@@ -62,17 +62,17 @@ Result<RouteTask> taskInField(const OrderTask& task, const Decomposition& cells,
     const PlanRequest& request = task.request;
     RouteTask route = routeTask(request, task.laid.swaths, cells);
     route.isDraft = request.draft;
-    if (!request.settings.flag(kStayInside) || request.draft) {
-        return route;
-    }
     const auto room = waysRoom(task.rooms, request, task.ground, task.laid.mainland, job);
     if (!room) {
         return std::unexpected(room.error());
     }
-    const auto ways = std::make_shared<WaysOfPath>(request, task.laid.swaths, cells, room->room->raised, job);
-    route.way = [ways](const RouteStep& from, const RouteStep& to, SearchEffort effort) {
-        return ways->between(from, to, effort);
-    };
+    if (request.settings.flag(kStayInside) && !request.draft) {
+        const auto ways =
+            std::make_shared<WaysOfPath>(request, task.laid.swaths, cells, room->room->raised, job);
+        route.way = [ways](const RouteStep& from, const RouteStep& to, SearchEffort effort) {
+            return ways->between(from, to, effort);
+        };
+    }
     // Headland passes lie between the swaths and the place.
     const bool drivesHeadland = request.settings.flag(kHeadlandDriven);
     const bool headlandFirst = drivesHeadland && drivesHeadlandFirst(request.settings);

@@ -91,16 +91,13 @@ RouteCosts::RouteCosts(const RouteTask& task)
     }
 }
 
-double RouteCosts::costOf(Length length, Duration time) const {
-    switch (objective_) {
-        case RouteObjective::Length: return length.si();
-        case RouteObjective::Fuel:
-            return time.si() * (task_.machine.spec().fuel
-                                    ? task_.machine.spec().fuel->turningLph / kSecondsPerHour
-                                    : 1.0);
-        case RouteObjective::Time: break;
+double RouteCosts::costOf(Length length, Duration time, double FuelUse::* litresPerHour) const {
+    const std::optional<FuelUse>& fuel = task_.machine.spec().fuel;
+    if (objective_ == RouteObjective::Length) {
+        return length.si();
     }
-    return time.si();
+    return objective_ == RouteObjective::Fuel && fuel ? time.si() * *fuel.*litresPerHour / kSecondsPerHour
+                                                      : time.si();
 }
 
 double RouteCosts::costOf(const Curve& way) const {
@@ -123,16 +120,8 @@ double RouteCosts::lockedOut(SwathEnd leaving, SwathEnd entered) const {
 
 double RouteCosts::workingOn(std::size_t swath) const {
     const Length length = task_.swaths.swaths[swath].length();
-    const double timeS = length.si() / task_.machine.spec().tractor.workingSpeed.si();
-    switch (objective_) {
-        case RouteObjective::Length: return length.si();
-        case RouteObjective::Fuel:
-            return timeS * (task_.machine.spec().fuel
-                                ? task_.machine.spec().fuel->workingLph / kSecondsPerHour
-                                : 1.0);
-        case RouteObjective::Time: break;
-    }
-    return timeS;
+    const Duration time = seconds(length.si() / task_.machine.spec().tractor.workingSpeed.si());
+    return costOf(length, time, &FuelUse::workingLph);
 }
 
 LinkCosts::Functions RouteCosts::functions() {

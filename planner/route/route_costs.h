@@ -35,7 +35,7 @@ public:
 
 private:
     double costOf(const Curve& way) const;
-    double costOf(Length length, Duration time) const;
+    double costOf(Length length, Duration time, double FuelUse::* litresPerHour = &FuelUse::turningLph) const;
     double lockedOut(SwathEnd leaving, SwathEnd entered) const;
     LinkCosts::Functions functions();
 
