@@ -8,6 +8,7 @@
 #include "planner/io/delivery/plan_folder.h"
 #include "planner/io/delivery/terminals.h"
 #include "planner/plan/advice.h"
+#include "planner/plan/best_plan.h"
 #include "planner/plan/draft.h"
 #include "planner/project/field_tasks.h"
 #include "planner/units/angle.h"
@@ -34,6 +35,7 @@ struct PlanArguments {
     ExportOptions options;
     PlanningArguments planning;
     bool progress = false;
+    bool best = false;
 };
 
 // More would push the plan itself off the screen.
@@ -52,6 +54,40 @@ std::string hoursMinutes(Duration duration) {
 
 std::string counted(long long count, std::string_view one, std::string_view many) {
     return std::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string minutesSeconds(Duration duration) {
+    const auto wholeSeconds = std::lround(duration.si());
+    return wholeSeconds < 60 ? std::format("{} s", wholeSeconds)
+                             : std::format("{} min {:02} s", wholeSeconds / 60, wholeSeconds % 60);
+}
+
+/// What was changed, then what the nearest alternatives would cost.
+void printChoices(const ChoiceTable& table) {
+    std::println("Best      {} of {} after {} alternatives{}", minutesSeconds(table.best),
+                 minutesSeconds(table.asked), table.alternatives,
+                 table.askedProblems > 0 ? ", and what stood in the way is gone or less" : "");
+    std::size_t behind = 0;
+    for (const TriedChoice& tried : table.tried) {
+        switch (tried.worth) {
+            case TriedChoice::Worth::Taken:
+                std::println("  taken   {}: {}", tried.text.text(),
+                             tried.difference > Duration{} ? "saves " + minutesSeconds(tried.difference)
+                                                           : std::string{"fewer problems"});
+                break;
+            case TriedChoice::Worth::Slower:
+                std::println("          {}: {} {}", tried.text.text(),
+                             minutesSeconds(tried.difference < Duration{} ? -tried.difference
+                                                                          : tried.difference),
+                             tried.difference < Duration{} ? "quicker" : "slower");
+                break;
+            case TriedChoice::Worth::Behind: ++behind; break;
+        }
+    }
+    if (behind > 0) {
+        std::println("          {} more than 6 % slower, or not drivable",
+                     counted(static_cast<long long>(behind), "other is", "others are"));
+    }
 }
 
 void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* terminal, bool quiet) {
@@ -81,6 +117,9 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
     std::println("Covered   {:.2f} % of the field · {:.0f} m² missed · {:.0f} m² worked twice",
                  100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
                  plan.audit.overlap.value_or(Area{}).si());
+    if (plan.choices) {
+        printChoices(*plan.choices);
+    }
     const auto blocking = plan.blockingCount();
     std::println("Drivable  {}", plan.drivable()
                                      ? std::string{"yes"}
@@ -122,6 +161,17 @@ void printFirstPlan(const PlanRequest& request, const JobContext& job) {
                  kilometres(plan.path.length()), hoursMinutes(plan.path.duration()));
 }
 
+/// What is given here stays.
+std::vector<std::string_view> givenChoices(const Settings& settings) {
+    std::vector<std::string_view> ids;
+    for (const PlanChoice& choice : planChoices()) {
+        if (isGiven(choice, settings)) {
+            ids.push_back(choice.id);
+        }
+    }
+    return ids;
+}
+
 int runPlan(const PlanArguments& arguments) {
     const PlanningArguments& planning = arguments.planning;
     const InterruptWatch watch;
@@ -159,7 +209,11 @@ int runPlan(const PlanArguments& arguments) {
                 if (arguments.progress) {
                     printFirstPlan(request, job);
                 }
-                return makePlan(request, job.part(0.1, 0.8));
+                return arguments.best ? bestPlan({.request = request,
+                                                  .kept = givenChoices(choices->settings),
+                                                  .onBetter = {}},
+                                                 job.part(0.1, 0.8))
+                                      : makePlan(request, job.part(0.1, 0.8));
             })
             .and_then([&job](const auto& made) { return withAdvice(made, job.part(0.8, 0.95)); });
     if (!plan) {
@@ -201,6 +255,9 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
             "--terminal", arguments->terminal,
             "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
         ->excludes("--format");
+    plan->add_flag("--best", arguments->best,
+                   "Try the alternatives of all choices that are not given here, take the quickest drivable "
+                   "plan, and tell what each choice is worth");
     plan->add_flag("--progress", arguments->progress,
                    "Tell on standard error how far planning is, line by line, and a draft at once");
     addExportOptions(*plan, arguments->options, true);
@@ -213,6 +270,7 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
         "  furrow-cli plan field.geojson --out plan\n"
         "  furrow-cli plan farm.gpkg --field-id 12 --machine trailed-sprayer --out plan\n"
         "  furrow-cli plan Farm.furrow --field-id 1 --plan-name 'Spring drilling' --out plan\n"
+        "  furrow-cli plan field.geojson --best --machine cultivator --set swaths.ends=full --out plan\n"
         "  furrow-cli plan field.kml --set swaths.method=fixed --set swaths.angle_deg=30 --out plan --json\n"
         "\n"
         "Exit status: 0 a drivable plan, 1 a plan that cannot be driven as it is (written and marked),\n"

@@ -2,6 +2,7 @@
 
 #include "planner/headland/methods.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/shown_value.h"
 
 #include <algorithm>
 #include <ranges>
@@ -20,25 +21,6 @@ struct Change {
     const Parameter* parameter = nullptr;
     std::string value;
 };
-
-/// A value as people see it.
-Message shown(const Parameter& parameter, const SettingValue& value) {
-    if (const auto* flag = std::get_if<bool>(&value)) {
-        return *flag ? Message{"on"} : Message{"off"};
-    }
-    if (parameter.kind == ParameterKind::Choice) {
-        const auto found = std::ranges::find(parameter.choices, settingText(value), &Choice::id);
-        return Message{found->name};
-    }
-    if (std::holds_alternative<Auto>(value)) {
-        return "auto";
-    }
-    const auto* number = std::get_if<double>(&value);
-    if (number != nullptr && parameter.kind == ParameterKind::Length) {
-        return message("{:.2f} m", *number);
-    }
-    return Message{settingText(value).empty() ? "nothing" : settingText(value)};
-}
 
 /// What might mend a plan: of the settings that were given those of the last stages first, since they change
 /// least of it.
@@ -118,7 +100,7 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
                 finding.change = {.key = std::string{change.parameter->key}, .value = change.value};
                 finding.suggestion =
                     message("Set \"{}\" to \"{}\": with that this is gone.", change.parameter->name,
-                            shown(*change.parameter, request.settings.value(*change.parameter)));
+                            shownValue(*change.parameter, request.settings.value(*change.parameter)));
             }
         }
     }

@@ -59,6 +59,7 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
                                             .findings = stages.driven->findings,
                                             .instead = choice.instead,
                                             .notes = choice.notes,
+                                            .choices = {},
                                             .timings = {}});
     Headland& headland = plan->headland;
     std::ranges::copy(stages.driven->finishing, std::back_inserter(headland.drivenPasses));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/plan/choice_table.h"
 #include "planner/plan/stage_runner.h"
 #include "planner/route/route_proof.h"
 
@@ -31,6 +32,8 @@ struct Plan {
     /// latter with a note.
     std::vector<SettingChange> instead;
     std::vector<Note> notes;
+    /// Of a best plan: what each of its choices is worth.
+    std::optional<ChoiceTable> choices;
     StageTimings timings;
 
     const Field& field() const { return *request.field; }

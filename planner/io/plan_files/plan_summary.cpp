@@ -149,6 +149,36 @@ Json routeJson(const Plan& plan) {
     return route;
 }
 
+/// Times with the time to work separately what the plan misses.
+Json choicesJson(const ChoiceTable& table) {
+    const auto changesOf = [](const TriedChoice& tried) {
+        Json changes = Json::object();
+        for (const SettingChange& change : tried.changes) {
+            changes[change.key] = change.value.empty() ? Json(nullptr) : Json(change.value);
+        }
+        return changes;
+    };
+    Json taken = Json::array();
+    Json others = Json::array();
+    for (const TriedChoice& tried : table.tried) {
+        Json json{{"choice", tried.choice}, {"settings", changesOf(tried)}};
+        if (tried.worth == TriedChoice::Worth::Taken) {
+            json["saves_s"] = tried.difference.si();
+            taken.push_back(std::move(json));
+        } else {
+            json["slower_s"] =
+                tried.worth == TriedChoice::Worth::Slower ? Json(tried.difference.si()) : Json(nullptr);
+            others.push_back(std::move(json));
+        }
+    }
+    return {{"time_asked_s", table.asked.si()},
+            {"problems_asked", table.askedProblems},
+            {"time_s", table.best.si()},
+            {"alternatives", table.alternatives},
+            {"taken", std::move(taken)},
+            {"others", std::move(others)}};
+}
+
 }  // namespace
 
 std::string planSummaryJson(const Plan& plan, std::span<const std::string> files) {
@@ -189,6 +219,9 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
                    {"audit", milliseconds(plan.timings.audit)},
                    {"total", milliseconds(plan.timings.total)}}},
                  {"version", kVersion}};
+    if (plan.choices) {
+        summary["best"] = choicesJson(*plan.choices);
+    }
     if (!files.empty()) {
         summary["files"] = std::vector<std::string>{files.begin(), files.end()};
     }

@@ -1,0 +1,313 @@
+#include "planner/plan/plan_chooser.h"
+
+#include "planner/decomposition/decomposition.h"
+#include "planner/headland/headland_passes.h"
+#include "planner/headland/methods.h"
+#include "planner/jobs/parallel.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/order_stage.h"
+#include "planner/route/methods.h"
+#include "planner/route/patterns.h"
+#include "planner/route/route_costs.h"
+#include "planner/swaths/methods.h"
+#include "planner/units/angle.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace furrow {
+
+namespace {
+
+constexpr Angle kSameHeading = degrees(0.01);
+// Other headings of the search that are driven where the best one blocks.
+constexpr std::size_t kMostHeadings = 2;
+// Estimated turns may mistake the difference of two orders by this share of the whole time.
+constexpr double kNearPattern = 0.04;
+// A plan in another order, or along another heading, that takes this many times as long as the best one may
+// still become the best with corners and an order of its own. Those of a heading change more.
+constexpr double kNearInOrder = 1.02;
+constexpr double kNearInHeading = 1.06;
+
+auto problemsOf(const PlannedStages& plan) {
+    return problems(plan.driven->findings);
+}
+
+/// Headings that a search by time found, other than the one it took: along the longest edge, which estimates
+/// and turns as driven may tell apart otherwise; more of them where the plan cannot be driven.
+std::vector<HeadingCandidate> headingsToTry(const PlannedStages& plan) {
+    const SwathSet& swaths = plan.laidOut.laid->swaths;
+    std::vector<HeadingCandidate> headings;
+    for (const HeadingCandidate& each : swaths.candidates) {
+        const bool isWanted = each.alongLongestEdge || (!plan.drivable() && headings.size() < kMostHeadings);
+        if (isWanted && angleBetweenLines(each.heading, swaths.heading) > kSameHeading) {
+            headings.push_back(each);
+        }
+    }
+    return headings;
+}
+
+Message anotherHeading(const HeadingCandidate& taken, const Message& reason) {
+    const Message line = taken.alongLongestEdge ? Message{"Swaths along the longest edge"}
+                                                : message("Swaths at a bearing of {:.1f} degrees",
+                                                          lineBearingDeg(taken.heading));
+    return message("{} are planned instead of the heading with the best estimate: {}", line, reason);
+}
+
+void forget(std::vector<SettingChange>& instead, const Parameter& parameter) {
+    std::erase_if(instead, [&](const SettingChange& change) { return change.key == parameter.key; });
+}
+
+bool isCancelled(const auto& result) {
+    return !result && result.error().code == ErrorCode::Cancelled;
+}
+
+/// The best plan so far with another in its place. Empty without one.
+std::optional<BestSoFar> with(const BestSoFar& best, std::optional<PlannedStages> plan) {
+    return std::move(plan).transform([&](PlannedStages&& made) {
+        BestSoFar other = best;
+        other.plan = std::move(made);
+        return other;
+    });
+}
+
+/// Without a reverse gear the third kind is the second one.
+std::vector<std::string_view> cornerKinds(const Machine& machine) {
+    std::vector<std::string_view> kinds{kRoundedCorner, kLoopCorner};
+    if (canReverse(machine)) {
+        kinds.push_back(kReverseCorner);
+    }
+    return kinds;
+}
+
+}  // namespace
+
+Duration timeOf(const PlannedStages& plan) {
+    return timeForAll(plan.request.machine, plan.driven->path, plan.driven->audit);
+}
+
+bool isBetter(const PlannedStages& other, const PlannedStages& plan) {
+    return problemsOf(other) != problemsOf(plan) ? problemsOf(other) < problemsOf(plan)
+                                                 : timeOf(other) < timeOf(plan);
+}
+
+Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
+    return problemsOf(better) < problemsOf(other)
+               ? Message{"it has fewer problems"}
+               : message("it is {:.0f} s quicker", (timeOf(other) - timeOf(better)).si());
+}
+
+void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value) {
+    forget(instead, parameter);
+    instead.push_back({std::string{parameter.key}, std::string{value}});
+}
+
+bool hasOwnOrder(const Settings& settings) {
+    const auto& traits = routeMethod(settings).traits;
+    return traits.isByHand || (traits.isByTime && !settings.numbers(kLocked).empty());
+}
+
+PlanRequest along(PlanRequest request, Angle heading) {
+    request.settings.set(*stageMethod("swaths"), std::string{kFixedHeadingMethod.info.id}).value();
+    request.settings.set(kAngle, inDegrees(heading)).value();
+    return request;
+}
+
+/// The plan with other settings if it is better as driven, or takes less than `near` times as long.
+/// Cancelled.
+/// @param meanwhile  of plans that are made at once, where only the best is wanted
+Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const BestSoFar& best, const PlanRequest& other,
+                                                       double near, QuickestMeanwhile* meanwhile) {
+    PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
+    toBeat.time = near * toBeat.time;
+    toBeat.meanwhile = meanwhile;
+    auto plan = runner_.run(other, toBeat, quiet_);
+    if (isCancelled(plan)) {
+        return std::unexpected(plan.error());
+    }
+    if (plan && meanwhile != nullptr && plan->drivable()) {
+        meanwhile->lower(timeOf(*plan));
+    }
+    const bool isNear =
+        plan &&
+        (plan->blockingCount() < best.plan.blockingCount() ||
+         (plan->blockingCount() == best.plan.blockingCount() && timeOf(*plan) <= near * timeOf(best.plan)));
+    return isNear ? std::optional{*std::move(plan)} : std::nullopt;
+}
+
+/// Takes the best of some plans that are made at once, each from what is the best before. The first of
+/// equals.
+template <class Make>
+Result<void> PlanChooser::takeBest(BestSoFar& best, std::size_t count, const Make& make) {
+    auto made = parallelMap<Result<std::optional<BestSoFar>>>(count, make, quiet_);
+    if (!made) {
+        return std::unexpected(made.error());
+    }
+    for (auto& other : *made) {
+        if (!other) {
+            return std::unexpected(other.error());
+        }
+        if (*other && isBetter((*other)->plan, best.plan)) {
+            best = **std::move(other);
+        }
+    }
+    return {};
+}
+
+/// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
+/// driven.
+Result<void> PlanChooser::tryCorners(BestSoFar& best) {
+    if (best.asked.settings.choice(kHeadlandCorner) != kQuickestCorner ||
+        best.plan.laidOut.headland->drivenPasses.empty()) {
+        return {};
+    }
+    std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
+    taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
+    note(best.instead, kHeadlandCorner, taken);
+    if (lastingCount(best.plan.driven->findings) > 0) {
+        return {};
+    }
+    const bool isFirst = !best.nearCorners;
+    std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
+    std::vector<char> isNear(kinds.size(), 1);
+    QuickestMeanwhile meanwhile;
+    auto tried = takeBest(best, kinds.size(), [&](std::size_t i) -> Result<std::optional<BestSoFar>> {
+        if (kinds[i] == taken) {
+            return std::optional<BestSoFar>{};
+        }
+        PlanRequest request = best.plan.request;
+        request.settings.set(kHeadlandCorner, std::string{kinds[i]}).value();
+        auto plan =
+            isFirst ? nearPlan(best, request, kNearInOrder) : nearPlan(best, request, 1.0, &meanwhile);
+        return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
+            isNear[i] = made ? 1 : 0;
+            return with(best, std::move(made)).transform([&](BestSoFar&& other) {
+                note(other.instead, kHeadlandCorner, kinds[i]);
+                return std::move(other);
+            });
+        });
+    });
+    if (isFirst) {
+        std::vector<std::string_view> near;
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            if (isNear[i] != 0) {
+                near.push_back(kinds[i]);
+            }
+        }
+        best.nearCorners = std::move(near);
+    }
+    return tried;
+}
+
+/// Orders that the route by estimated turns passed over, and that are about as quick by its estimate.
+Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
+    std::vector<std::string_view> ids;
+    if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable() ||
+        routeObjective(plan.request.settings) != RouteObjective::Time || hasOwnOrder(plan.request.settings) ||
+        plan.ordered->route.steps.empty()) {
+        return ids;
+    }
+    const Route& taken = plan.ordered->route;
+    const RouteTask task = routeTask(plan.request, plan.laidOut.laid->swaths, plan.ordered->cells);
+    const RouteCosts costs{task};
+    const double nearS =
+        costs.links().of(endOrder(taken.steps)) + kNearPattern * plan.driven->path.duration().si();
+    for (const Method<RoutePlanner>* const pattern : plainPatterns()) {
+        const auto route = pattern->run(task, job);
+        if (!route) {
+            return std::unexpected(route.error());
+        }
+        if (*route != taken && costs.links().of(endOrder(route->steps)) <= nearS) {
+            ids.push_back(pattern->info.id);
+        }
+    }
+    return ids;
+}
+
+/// Order and corners for the swaths of this plan. An order of one's own stays. Cancelled.
+Result<void> PlanChooser::decideOrderAndCorners(BestSoFar& best) {
+    const auto patterns = patternsToTry(best.plan, quiet_);
+    if (!patterns) {
+        return std::unexpected(patterns.error());
+    }
+    return tryCorners(best).and_then([&] {
+        return takeBest(best, patterns->size(), [&](std::size_t i) { return inOrder(best, (*patterns)[i]); });
+    });
+}
+
+/// The plan in another order with its own best corners, if it is near. Cancelled.
+Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, std::string_view pattern) {
+    const Parameter& route = *stageMethod("route");
+    PlanRequest request = best.plan.request;
+    request.settings.set(route, std::string{pattern}).value();
+    auto plan = nearPlan(best, request, kNearInOrder);
+    if (!plan || !*plan) {
+        return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
+    }
+    BestSoFar other = *with(best, *std::move(plan));
+    note(other.instead, route, pattern);
+    return tryCorners(other).transform([&] { return std::optional{std::move(other)}; });
+}
+
+Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked) {
+    PlanRequest request = asked;
+    const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
+    const bool isByTime = asked.settings.choice(kHeadlandCorner) == kQuickestCorner;
+    if (isByTime) {
+        request.settings.set(kHeadlandCorner, corner).value();
+    }
+    auto plan = nearPlan(best, request, kNearInHeading);
+    if (plan && !*plan && isByTime && corner != kRoundedCorner) {
+        // Corners that are driven into may block with this change.
+        request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
+        plan = nearPlan(best, request, kNearInHeading);
+    }
+    if (!plan || !*plan) {
+        return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
+    }
+    BestSoFar other = *with(best, *std::move(plan));
+    other.asked = asked;
+    forget(other.instead, *stageMethod("route"));
+    if (other.plan.laidOut.headland->mainland != best.plan.laidOut.headland->mainland) {
+        other.nearCorners.reset();
+    }
+    return decideOrderAndCorners(other).transform([&] { return std::optional{std::move(other)}; });
+}
+
+/// The plan along another heading with its own best order and corners, if it is near. Cancelled.
+Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best, const HeadingCandidate& candidate) {
+    auto other = changed(best, along(best.asked, candidate.heading));
+    if (other && *other) {
+        (*other)->asked = best.asked;
+        if (isBetter((*other)->plan, best.plan)) {
+            (*other)->notes = {
+                {anotherHeading(candidate, reasonFor((*other)->plan, best.plan)), "instead", {}}};
+        }
+    }
+    return other;
+}
+
+Result<BestSoFar> PlanChooser::improved(const PlanRequest& request,
+                                        const std::function<void(double)>& progress) {
+    auto asked = runner_.run(request, {}, {quiet_.stop, progress, quiet_.threads});
+    if (!asked) {
+        return std::unexpected(asked.error());
+    }
+    BestSoFar best{.asked = request, .plan = *asked, .headings = asked->laidOut.laid->swaths.candidates};
+    if (request.draft) {
+        return best;
+    }
+    Result<void> tried = decideOrderAndCorners(best);
+    const bool hasOneHeading = !hasHeadingPerCell(request.settings);
+    if (!hasOwnOrder(request.settings) && hasOneHeading) {
+        const std::vector<HeadingCandidate> headings = headingsToTry(*asked);
+        tried = tried.and_then([&] {
+            return takeBest(best, headings.size(),
+                            [&](std::size_t i) { return alongHeading(best, headings[i]); });
+        });
+    }
+    return tried.transform([&] { return std::move(best); });
+}
+
+}  // namespace furrow
