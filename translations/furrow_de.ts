@@ -367,6 +367,88 @@
         <source>cut divide mainland parts</source>
         <translation>schneiden teilen innenfläche teile</translation>
     </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Besten Plan suchen…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>schnellster optimieren vergleichen Alternativen</translation>
+    </message>
+</context>
+<context>
+    <name>BestPlanDialog</name>
+    <message>
+        <source>The best plan found</source>
+        <translation>Der beste gefundene Plan</translation>
+    </message>
+    <message>
+        <source>Your plan is the best one found</source>
+        <translation>Ihr Plan ist der beste gefundene</translation>
+    </message>
+    <message>
+        <source>Find the best plan</source>
+        <translation>Besten Plan suchen</translation>
+    </message>
+    <message>
+        <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
+        <translation>Andere Möglichkeiten werden geplant, und der schnellste fahrbare Plan wird genommen. Abstände, Überlappung und was der Arbeitsgang verlangt, bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>May change</source>
+        <translation>Darf sich ändern</translation>
+    </message>
+    <message>
+        <source>%1 (set by you)</source>
+        <translation>%1 (von Ihnen)</translation>
+    </message>
+    <message>
+        <source>Best plan</source>
+        <translation>Bester Plan</translation>
+    </message>
+    <message>
+        <source>Best so far</source>
+        <translation>Bisher bester</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespart</translation>
+    </message>
+    <message>
+        <source>Time of the best plan during the search</source>
+        <translation>Zeit des besten Plans während der Suche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alternative(s) were planned.</source>
+        <translation>
+            <numerusform>%n Möglichkeit wurde geplant.</numerusform>
+            <numerusform>%n Möglichkeiten wurden geplant.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Anhalten und nehmen</translation>
+    </message>
+    <message>
+        <source>Use this plan</source>
+        <translation>Diesen Plan nehmen</translation>
+    </message>
 </context>
 <context>
     <name>CellStepper</name>
@@ -397,6 +479,20 @@
     <message>
         <source>Turns and ways from cell to cell, estimated.</source>
         <translation>Wendungen und Wege von Teilfläche zu Teilfläche, geschätzt.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceTable</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are slower still, or cannot be driven.</source>
+        <translation>
+            <numerusform>%n weitere ist noch langsamer oder nicht fahrbar.</numerusform>
+            <numerusform>%n weitere sind noch langsamer oder nicht fahrbar.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5340,30 @@
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
         <translation>Spurnummern, die in dieser Reihenfolge aufeinander folgen; ein Minus fährt eine in der anderen Richtung. Die Reihenfolge der übrigen wird gesucht.</translation>
     </message>
+    <message>
+        <source>Ends of swaths</source>
+        <translation>Enden der Spuren</translation>
+    </message>
+    <message>
+        <source>Heading of cells</source>
+        <translation>Fahrtrichtung der Teilflächen</translation>
+    </message>
+    <message>
+        <source>Heading: bearing %1</source>
+        <translation>Fahrtrichtung: %1</translation>
+    </message>
+    <message>
+        <source>Headland passes</source>
+        <translation>Vorgewendespuren</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Reihenfolge der Spuren</translation>
+    </message>
+    <message>
+        <source>Small obstacles</source>
+        <translation>Kleine Hindernisse</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5482,6 +5602,13 @@
     </message>
 </context>
 <context>
+    <name>StepsPanel</name>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Besten Plan suchen…</translation>
+    </message>
+</context>
+<context>
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
@@ -5664,6 +5791,14 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min %3 s</source>
+        <translation>%1 h %2 min %3 s</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedDialog</name>
@@ -5686,6 +5821,13 @@
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::BestSearch</name>
+    <message>
+        <source>Take the best plan</source>
+        <translation>Besten Plan übernehmen</translation>
     </message>
 </context>
 <context>
@@ -5724,6 +5866,29 @@
     <message>
         <source>Cells in which no swath lies go to their neighbours.</source>
         <translation>Teilflächen, in denen keine Spur liegt, kommen zu ihren Nachbarn.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ChoiceTableModel</name>
+    <message>
+        <source>saves %1</source>
+        <translation>spart %1</translation>
+    </message>
+    <message>
+        <source>mends the plan</source>
+        <translation>macht ihn fahrbar</translation>
+    </message>
+    <message>
+        <source>the same time</source>
+        <translation>gleich schnell</translation>
+    </message>
+    <message>
+        <source>%1 slower</source>
+        <translation>%1 langsamer</translation>
+    </message>
+    <message>
+        <source>%1 quicker</source>
+        <translation>%1 schneller</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,36 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>BestPlanDialog</name>
+    <message numerus="yes">
+        <source>%n alternative(s) were planned.</source>
+        <translation>
+            <numerusform>%n alternative was planned.</numerusform>
+            <numerusform>%n alternatives were planned.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceTable</name>
+    <message numerus="yes">
+        <source>%n other(s) are slower still, or cannot be driven.</source>
+        <translation>
+            <numerusform>%n other is slower still, or cannot be driven.</numerusform>
+            <numerusform>%n others are slower still, or cannot be driven.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ExportChecks</name>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>The files were looked through for %n kind of mistakes that receivers stumble over; there is none.</numerusform>
+            <numerusform>The files were looked through for %n kinds of mistakes that receivers stumble over; there is none.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message numerus="yes">
         <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
@@ -178,16 +208,6 @@
         <translation>
             <numerusform>%n note</numerusform>
             <numerusform>%n notes</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>The files were looked through for %n kind of mistakes that receivers stumble over; there is none.</numerusform>
-            <numerusform>The files were looked through for %n kinds of mistakes that receivers stumble over; there is none.</numerusform>
         </translation>
     </message>
 </context>

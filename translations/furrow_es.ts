@@ -367,6 +367,88 @@
         <source>cut divide mainland parts</source>
         <translation>cortar dividir interior partes</translation>
     </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Buscar el mejor plan…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>más rápido optimizar comparar alternativas</translation>
+    </message>
+</context>
+<context>
+    <name>BestPlanDialog</name>
+    <message>
+        <source>The best plan found</source>
+        <translation>El mejor plan encontrado</translation>
+    </message>
+    <message>
+        <source>Your plan is the best one found</source>
+        <translation>Su plan es el mejor encontrado</translation>
+    </message>
+    <message>
+        <source>Find the best plan</source>
+        <translation>Buscar el mejor plan</translation>
+    </message>
+    <message>
+        <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
+        <translation>Se planifican otras opciones y se toma el plan transitable más rápido. Los márgenes, el solape y lo que exige la labor quedan como están.</translation>
+    </message>
+    <message>
+        <source>May change</source>
+        <translation>Puede cambiar</translation>
+    </message>
+    <message>
+        <source>%1 (set by you)</source>
+        <translation>%1 (por usted)</translation>
+    </message>
+    <message>
+        <source>Best plan</source>
+        <translation>Mejor plan</translation>
+    </message>
+    <message>
+        <source>Best so far</source>
+        <translation>Mejor hasta ahora</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Ahorrado</translation>
+    </message>
+    <message>
+        <source>Time of the best plan during the search</source>
+        <translation>Tiempo del mejor plan durante la búsqueda</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alternative(s) were planned.</source>
+        <translation>
+            <numerusform>Se planificó %n alternativa.</numerusform>
+            <numerusform>Se planificaron %n alternativas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Parar y conservar</translation>
+    </message>
+    <message>
+        <source>Use this plan</source>
+        <translation>Usar este plan</translation>
+    </message>
 </context>
 <context>
     <name>CellStepper</name>
@@ -397,6 +479,20 @@
     <message>
         <source>Turns and ways from cell to cell, estimated.</source>
         <translation>Giros y trayectos de una subparcela a otra, estimados.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceTable</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are slower still, or cannot be driven.</source>
+        <translation>
+            <numerusform>%n más es aún más lenta o no es transitable.</numerusform>
+            <numerusform>%n más son aún más lentas o no son transitables.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5340,30 @@
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
         <translation>Números de pasadas que se siguen en este orden; un menos recorre una en sentido contrario. El orden de las demás se busca.</translation>
     </message>
+    <message>
+        <source>Ends of swaths</source>
+        <translation>Extremos de las pasadas</translation>
+    </message>
+    <message>
+        <source>Heading of cells</source>
+        <translation>Dirección de las subparcelas</translation>
+    </message>
+    <message>
+        <source>Heading: bearing %1</source>
+        <translation>Dirección: %1</translation>
+    </message>
+    <message>
+        <source>Headland passes</source>
+        <translation>Pasadas de cabecera</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Orden de las pasadas</translation>
+    </message>
+    <message>
+        <source>Small obstacles</source>
+        <translation>Obstáculos pequeños</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5482,6 +5602,13 @@
     </message>
 </context>
 <context>
+    <name>StepsPanel</name>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Buscar el mejor plan…</translation>
+    </message>
+</context>
+<context>
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
@@ -5664,6 +5791,14 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min %3 s</source>
+        <translation>%1 h %2 min %3 s</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedDialog</name>
@@ -5686,6 +5821,13 @@
     <message>
         <source>Save</source>
         <translation>Guardar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::BestSearch</name>
+    <message>
+        <source>Take the best plan</source>
+        <translation>Tomar el mejor plan</translation>
     </message>
 </context>
 <context>
@@ -5724,6 +5866,29 @@
     <message>
         <source>Cells in which no swath lies go to their neighbours.</source>
         <translation>Las subparcelas sin pasadas se unen a sus vecinas.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ChoiceTableModel</name>
+    <message>
+        <source>saves %1</source>
+        <translation>ahorra %1</translation>
+    </message>
+    <message>
+        <source>mends the plan</source>
+        <translation>lo hace transitable</translation>
+    </message>
+    <message>
+        <source>the same time</source>
+        <translation>el mismo tiempo</translation>
+    </message>
+    <message>
+        <source>%1 slower</source>
+        <translation>%1 más lento</translation>
+    </message>
+    <message>
+        <source>%1 quicker</source>
+        <translation>%1 más rápido</translation>
     </message>
 </context>
 <context>

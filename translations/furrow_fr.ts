@@ -367,6 +367,88 @@
         <source>cut divide mainland parts</source>
         <translation>couper diviser plein champ parties</translation>
     </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Chercher le meilleur plan…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>plus rapide optimiser comparer alternatives</translation>
+    </message>
+</context>
+<context>
+    <name>BestPlanDialog</name>
+    <message>
+        <source>The best plan found</source>
+        <translation>Le meilleur plan trouvé</translation>
+    </message>
+    <message>
+        <source>Your plan is the best one found</source>
+        <translation>Votre plan est le meilleur trouvé</translation>
+    </message>
+    <message>
+        <source>Find the best plan</source>
+        <translation>Chercher le meilleur plan</translation>
+    </message>
+    <message>
+        <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
+        <translation>D’autres choix sont planifiés, et le plan praticable le plus rapide est pris. Les marges, le recouvrement et ce que demande le travail restent tels quels.</translation>
+    </message>
+    <message>
+        <source>May change</source>
+        <translation>Peut changer</translation>
+    </message>
+    <message>
+        <source>%1 (set by you)</source>
+        <translation>%1 (par vous)</translation>
+    </message>
+    <message>
+        <source>Best plan</source>
+        <translation>Meilleur plan</translation>
+    </message>
+    <message>
+        <source>Best so far</source>
+        <translation>Meilleur jusqu’ici</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gagné</translation>
+    </message>
+    <message>
+        <source>Time of the best plan during the search</source>
+        <translation>Durée du meilleur plan pendant la recherche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alternative(s) were planned.</source>
+        <translation>
+            <numerusform>%n autre choix a été planifié.</numerusform>
+            <numerusform>%n autres choix ont été planifiés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Arrêter et garder</translation>
+    </message>
+    <message>
+        <source>Use this plan</source>
+        <translation>Prendre ce plan</translation>
+    </message>
 </context>
 <context>
     <name>CellStepper</name>
@@ -397,6 +479,20 @@
     <message>
         <source>Turns and ways from cell to cell, estimated.</source>
         <translation>Demi-tours et trajets d&apos;une sous-parcelle à l&apos;autre, estimés.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceTable</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are slower still, or cannot be driven.</source>
+        <translation>
+            <numerusform>%n autre est encore plus lent, ou impraticable.</numerusform>
+            <numerusform>%n autres sont encore plus lents, ou impraticables.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5340,30 @@
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
         <translation>Numéros de passages qui se suivent dans cet ordre ; un moins en parcourt un dans l’autre sens. L’ordre des autres est cherché.</translation>
     </message>
+    <message>
+        <source>Ends of swaths</source>
+        <translation>Bouts des passages</translation>
+    </message>
+    <message>
+        <source>Heading of cells</source>
+        <translation>Orientation des sous-parcelles</translation>
+    </message>
+    <message>
+        <source>Heading: bearing %1</source>
+        <translation>Orientation : %1</translation>
+    </message>
+    <message>
+        <source>Headland passes</source>
+        <translation>Tours de fourrière</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Ordre des passages</translation>
+    </message>
+    <message>
+        <source>Small obstacles</source>
+        <translation>Petits obstacles</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5482,6 +5602,13 @@
     </message>
 </context>
 <context>
+    <name>StepsPanel</name>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Chercher le meilleur plan…</translation>
+    </message>
+</context>
+<context>
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
@@ -5664,6 +5791,14 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min %3 s</source>
+        <translation>%1 h %2 min %3 s</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedDialog</name>
@@ -5686,6 +5821,13 @@
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::BestSearch</name>
+    <message>
+        <source>Take the best plan</source>
+        <translation>Prendre le meilleur plan</translation>
     </message>
 </context>
 <context>
@@ -5724,6 +5866,29 @@
     <message>
         <source>Cells in which no swath lies go to their neighbours.</source>
         <translation>Les sous-parcelles sans passage vont à leurs voisines.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ChoiceTableModel</name>
+    <message>
+        <source>saves %1</source>
+        <translation>gagne %1</translation>
+    </message>
+    <message>
+        <source>mends the plan</source>
+        <translation>le rend praticable</translation>
+    </message>
+    <message>
+        <source>the same time</source>
+        <translation>même durée</translation>
+    </message>
+    <message>
+        <source>%1 slower</source>
+        <translation>%1 plus lent</translation>
+    </message>
+    <message>
+        <source>%1 quicker</source>
+        <translation>%1 plus rapide</translation>
     </message>
 </context>
 <context>

@@ -367,6 +367,88 @@
         <source>cut divide mainland parts</source>
         <translation>snijden delen binnenakker stukken</translation>
     </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Beste plan zoeken…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>snelste optimaliseren vergelijken alternatieven</translation>
+    </message>
+</context>
+<context>
+    <name>BestPlanDialog</name>
+    <message>
+        <source>The best plan found</source>
+        <translation>Het beste gevonden plan</translation>
+    </message>
+    <message>
+        <source>Your plan is the best one found</source>
+        <translation>Uw plan is het beste gevonden plan</translation>
+    </message>
+    <message>
+        <source>Find the best plan</source>
+        <translation>Beste plan zoeken</translation>
+    </message>
+    <message>
+        <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
+        <translation>Andere keuzes worden gepland, en het snelste plan dat te rijden is wordt genomen. Marges, overlap en wat de bewerking vraagt blijven zoals ze zijn.</translation>
+    </message>
+    <message>
+        <source>May change</source>
+        <translation>Mag veranderen</translation>
+    </message>
+    <message>
+        <source>%1 (set by you)</source>
+        <translation>%1 (door u)</translation>
+    </message>
+    <message>
+        <source>Best plan</source>
+        <translation>Beste plan</translation>
+    </message>
+    <message>
+        <source>Best so far</source>
+        <translation>Beste tot nu toe</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>Eerst</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Bespaard</translation>
+    </message>
+    <message>
+        <source>Time of the best plan during the search</source>
+        <translation>Tijd van het beste plan tijdens het zoeken</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alternative(s) were planned.</source>
+        <translation>
+            <numerusform>%n alternatief is gepland.</numerusform>
+            <numerusform>%n alternatieven zijn gepland.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Zoeken</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Stoppen en houden</translation>
+    </message>
+    <message>
+        <source>Use this plan</source>
+        <translation>Dit plan gebruiken</translation>
+    </message>
 </context>
 <context>
     <name>CellStepper</name>
@@ -397,6 +479,20 @@
     <message>
         <source>Turns and ways from cell to cell, estimated.</source>
         <translation>Draaien en wegen van deelperceel naar deelperceel, geschat.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceTable</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are slower still, or cannot be driven.</source>
+        <translation>
+            <numerusform>%n andere is nog langzamer of niet te rijden.</numerusform>
+            <numerusform>%n andere zijn nog langzamer of niet te rijden.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5340,30 @@
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
         <translation>Nummers van werkgangen die in deze volgorde op elkaar volgen; een min rijdt er een andersom. De volgorde van de andere wordt gezocht.</translation>
     </message>
+    <message>
+        <source>Ends of swaths</source>
+        <translation>Uiteinden van werkgangen</translation>
+    </message>
+    <message>
+        <source>Heading of cells</source>
+        <translation>Rijrichting van deelpercelen</translation>
+    </message>
+    <message>
+        <source>Heading: bearing %1</source>
+        <translation>Rijrichting: %1</translation>
+    </message>
+    <message>
+        <source>Headland passes</source>
+        <translation>Kopakkergangen</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Volgorde van werkgangen</translation>
+    </message>
+    <message>
+        <source>Small obstacles</source>
+        <translation>Kleine obstakels</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5482,6 +5602,13 @@
     </message>
 </context>
 <context>
+    <name>StepsPanel</name>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Beste plan zoeken…</translation>
+    </message>
+</context>
+<context>
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
@@ -5664,6 +5791,14 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min %3 s</source>
+        <translation>%1 u %2 min %3 s</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedDialog</name>
@@ -5686,6 +5821,13 @@
     <message>
         <source>Save</source>
         <translation>Opslaan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::BestSearch</name>
+    <message>
+        <source>Take the best plan</source>
+        <translation>Beste plan overnemen</translation>
     </message>
 </context>
 <context>
@@ -5724,6 +5866,29 @@
     <message>
         <source>Cells in which no swath lies go to their neighbours.</source>
         <translation>Deelpercelen waarin geen werkgang ligt, gaan naar hun buren.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ChoiceTableModel</name>
+    <message>
+        <source>saves %1</source>
+        <translation>bespaart %1</translation>
+    </message>
+    <message>
+        <source>mends the plan</source>
+        <translation>maakt hem rijdbaar</translation>
+    </message>
+    <message>
+        <source>the same time</source>
+        <translation>even snel</translation>
+    </message>
+    <message>
+        <source>%1 slower</source>
+        <translation>%1 langzamer</translation>
+    </message>
+    <message>
+        <source>%1 quicker</source>
+        <translation>%1 sneller</translation>
     </message>
 </context>
 <context>

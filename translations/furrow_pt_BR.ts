@@ -367,6 +367,88 @@
         <source>cut divide mainland parts</source>
         <translation>cortar dividir interior partes</translation>
     </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Buscar o melhor plano…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>mais rápido otimizar comparar alternativas</translation>
+    </message>
+</context>
+<context>
+    <name>BestPlanDialog</name>
+    <message>
+        <source>The best plan found</source>
+        <translation>O melhor plano encontrado</translation>
+    </message>
+    <message>
+        <source>Your plan is the best one found</source>
+        <translation>Seu plano é o melhor encontrado</translation>
+    </message>
+    <message>
+        <source>Find the best plan</source>
+        <translation>Buscar o melhor plano</translation>
+    </message>
+    <message>
+        <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
+        <translation>Outras escolhas são planejadas e o plano percorrível mais rápido é usado. Margens, sobreposição e o que a operação exige ficam como estão.</translation>
+    </message>
+    <message>
+        <source>May change</source>
+        <translation>Pode mudar</translation>
+    </message>
+    <message>
+        <source>%1 (set by you)</source>
+        <translation>%1 (por você)</translation>
+    </message>
+    <message>
+        <source>Best plan</source>
+        <translation>Melhor plano</translation>
+    </message>
+    <message>
+        <source>Best so far</source>
+        <translation>Melhor até agora</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Poupado</translation>
+    </message>
+    <message>
+        <source>Time of the best plan during the search</source>
+        <translation>Tempo do melhor plano durante a busca</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alternative(s) were planned.</source>
+        <translation>
+            <numerusform>%n alternativa foi planejada.</numerusform>
+            <numerusform>%n alternativas foram planejadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Parar e manter</translation>
+    </message>
+    <message>
+        <source>Use this plan</source>
+        <translation>Usar este plano</translation>
+    </message>
 </context>
 <context>
     <name>CellStepper</name>
@@ -397,6 +479,20 @@
     <message>
         <source>Turns and ways from cell to cell, estimated.</source>
         <translation>Manobras e deslocamentos de um subtalhão a outro, estimados.</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceTable</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are slower still, or cannot be driven.</source>
+        <translation>
+            <numerusform>%n outra é ainda mais lenta ou não é percorrível.</numerusform>
+            <numerusform>%n outras são ainda mais lentas ou não são percorríveis.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5244,6 +5340,30 @@
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
         <translation>Números de passadas que se seguem nesta ordem; um menos percorre uma no outro sentido. A ordem das restantes é procurada.</translation>
     </message>
+    <message>
+        <source>Ends of swaths</source>
+        <translation>Pontas das passadas</translation>
+    </message>
+    <message>
+        <source>Heading of cells</source>
+        <translation>Direção dos subtalhões</translation>
+    </message>
+    <message>
+        <source>Heading: bearing %1</source>
+        <translation>Direção: %1</translation>
+    </message>
+    <message>
+        <source>Headland passes</source>
+        <translation>Passadas de cabeceira</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Ordem das passadas</translation>
+    </message>
+    <message>
+        <source>Small obstacles</source>
+        <translation>Obstáculos pequenos</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5482,6 +5602,13 @@
     </message>
 </context>
 <context>
+    <name>StepsPanel</name>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Buscar o melhor plano…</translation>
+    </message>
+</context>
+<context>
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
@@ -5664,6 +5791,14 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min %3 s</source>
+        <translation>%1 h %2 min %3 s</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedDialog</name>
@@ -5686,6 +5821,13 @@
     <message>
         <source>Save</source>
         <translation>Salvar</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::BestSearch</name>
+    <message>
+        <source>Take the best plan</source>
+        <translation>Usar o melhor plano</translation>
     </message>
 </context>
 <context>
@@ -5724,6 +5866,29 @@
     <message>
         <source>Cells in which no swath lies go to their neighbours.</source>
         <translation>Subtalhões sem passadas vão para os vizinhos.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ChoiceTableModel</name>
+    <message>
+        <source>saves %1</source>
+        <translation>poupa %1</translation>
+    </message>
+    <message>
+        <source>mends the plan</source>
+        <translation>torna-o percorrível</translation>
+    </message>
+    <message>
+        <source>the same time</source>
+        <translation>mesmo tempo</translation>
+    </message>
+    <message>
+        <source>%1 slower</source>
+        <translation>%1 mais lento</translation>
+    </message>
+    <message>
+        <source>%1 quicker</source>
+        <translation>%1 mais rápido</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,17 @@ constexpr Angle kSameHeading = degrees(0.05);
 // Plans of which the first alternatives take about this many rounds tell the progress.
 constexpr double kUsualRounds = 2.0;
 
+constexpr PlanChoice kHeadland{.id = "headland", .name = "Headland"};
+constexpr PlanChoice kHeading{.id = "heading", .name = "Heading"};
+constexpr PlanChoice kCells{.id = "cells", .name = "Cells"};
+constexpr PlanChoice kSwathOrder{.id = "order", .name = "Order of swaths"};
+constexpr PlanChoice kLast{.id = "last-pass", .name = "Last pass"};
+constexpr PlanChoice kSwathEnds{.id = "ends", .name = "Ends of swaths"};
+constexpr PlanChoice kObstacles{.id = "obstacles", .name = "Small obstacles"};
+constexpr PlanChoice kPasses{.id = "headland-passes", .name = "Headland passes"};
+
+const Message kHeadingOfCells{"Heading of cells"};
+
 using Changes = std::vector<SettingChange>;
 
 struct Alternative {
@@ -54,25 +65,26 @@ const Parameter& parameterOf(std::string_view key) {
     return **findParameter(key);
 }
 
-Alternative withValue(std::string_view key, std::string value) {
+/// @param name  said instead of the setting's, where that needs its panel to be understood
+Alternative withValue(std::string_view key, std::string value, std::string_view name = {}) {
     const Parameter& parameter = parameterOf(key);
     Settings settings;
     if (!value.empty()) {
         settings.setText(parameter, value).value();
     }
-    return {.text = message("{}: {}", Message{parameter.name},
+    return {.text = message("{}: {}", Message{name.empty() ? parameter.name : name},
                             shownValue(parameter, settings.value(parameter))),
             .changes = {{std::string{key}, std::move(value)}}};
 }
 
 /// All other values of a setting.
-std::vector<Alternative> others(const BestSoFar& best, std::string_view key) {
+std::vector<Alternative> others(const BestSoFar& best, std::string_view key, std::string_view name = {}) {
     const Parameter& parameter = parameterOf(key);
     const std::string now = best.asked.settings.choice(parameter);
     std::vector<Alternative> found;
     for (const Choice& choice : parameter.choices) {
         if (choice.id != now) {
-            found.push_back(withValue(key, std::string{choice.id}));
+            found.push_back(withValue(key, std::string{choice.id}, name));
         }
     }
     return found;
@@ -100,14 +112,12 @@ Changes searchedHeading() {
     return {{"swaths.method", {}}, {"swaths.angle_deg", {}}};
 }
 
-/// The heading that the search finds, those that came near, and those of long edges.
+/// The heading that the search finds by each objective, those that came near, and those of long edges.
 std::vector<Alternative> headings(const BestSoFar& best) {
     std::vector<Alternative> found;
-    if (hasHeadingPerCell(best.asked.settings)) {
+    const Settings& settings = best.asked.settings;
+    if (hasHeadingPerCell(settings)) {
         return found;
-    }
-    if (!swathMethod(best.asked.settings).traits.searchesHeadings) {
-        found.push_back({.text = "Heading: searched", .changes = searchedHeading()});
     }
     const Angle now = best.plan.laidOut.laid->swaths.heading;
     for (const HeadingCandidate& candidate : best.headings) {
@@ -118,6 +128,17 @@ std::vector<Alternative> headings(const BestSoFar& best) {
                              {"swaths.angle_deg", settingText(inDegrees(candidate.heading))}}});
         }
     }
+    const bool isSearched = swathMethod(settings).traits.searchesHeadings;
+    for (const Choice& objective : kObjective.choices) {
+        if (isSearched && objective.id == settings.choice(kObjective)) {
+            continue;
+        }
+        Alternative other = withValue(kObjective.key, std::string{objective.id}, kHeading.name);
+        if (!isSearched) {
+            std::ranges::move(searchedHeading(), std::back_inserter(other.changes));
+        }
+        found.push_back(std::move(other));
+    }
     return found;
 }
 
@@ -125,7 +146,7 @@ std::vector<Alternative> headings(const BestSoFar& best) {
 std::vector<Alternative> cells(const BestSoFar& best) {
     std::vector<Alternative> found = others(best, "decomposition.method");
     const bool isSearched = swathMethod(best.asked.settings).traits.searchesHeadings;
-    for (Alternative& other : others(best, kCellHeading.key)) {
+    for (Alternative& other : others(best, kCellHeading.key, kHeadingOfCells.text())) {
         if (!isSearched) {
             std::ranges::move(searchedHeading(), std::back_inserter(other.changes));
         }
@@ -135,7 +156,7 @@ std::vector<Alternative> cells(const BestSoFar& best) {
 }
 
 std::vector<Alternative> orders(const BestSoFar& best) {
-    std::vector<Alternative> found = others(best, "route.method");
+    std::vector<Alternative> found = others(best, "route.method", kSwathOrder.name);
     std::erase_if(found, [](const Alternative& each) {
         const std::string& id = each.changes.front().value;
         const auto routes = kRouteMethods;
@@ -172,7 +193,7 @@ std::vector<Alternative> headlandPasses(const BestSoFar& best) {
     std::vector<Alternative> found;
     if (!best.plan.laidOut.headland->drivenPasses.empty()) {
         for (const std::string_view key : {"headland.order", "headland.direction"}) {
-            std::ranges::move(others(best, key), std::back_inserter(found));
+            std::ranges::move(others(best, key, kPasses.name), std::back_inserter(found));
         }
     }
     return found;
@@ -180,22 +201,22 @@ std::vector<Alternative> headlandPasses(const BestSoFar& best) {
 
 std::span<const ChoiceRule> rules() {
     static const std::array<ChoiceRule, 8> all{
-        {{.choice = {"headland", "Headland"},
+        {{.choice = kHeadland,
           .keys = {"headland.method", "headland.passes", "headland.width_m"},
           .alternatives = headlands},
-         {.choice = {"heading", "Heading"},
+         {.choice = kHeading,
           .keys = {"swaths.method", "swaths.angle_deg", "swaths.objective", "swaths.prefer_edge_percent"},
           .alternatives = headings},
-         {.choice = {"cells", "Cells"},
+         {.choice = kCells,
           .keys = {"decomposition.method", "decomposition.heading", "decomposition.split"},
           .alternatives = cells},
-         {.choice = {"order", "Order of swaths"}, .keys = {"route.method"}, .alternatives = orders},
-         {.choice = {"last-pass", "Last pass"}, .keys = {"swaths.last_pass"}, .alternatives = lastPasses},
-         {.choice = {"ends", "Ends of swaths"}, .keys = {"swaths.ends"}, .alternatives = ends},
-         {.choice = {"obstacles", "Small obstacles"},
+         {.choice = kSwathOrder, .keys = {"route.method"}, .alternatives = orders},
+         {.choice = kLast, .keys = {"swaths.last_pass"}, .alternatives = lastPasses},
+         {.choice = kSwathEnds, .keys = {"swaths.ends"}, .alternatives = ends},
+         {.choice = kObstacles,
           .keys = {"swaths.round_up_to_m"},
           .alternatives = obstacles},
-         {.choice = {"headland-passes", "Headland passes"},
+         {.choice = kPasses,
           .keys = {"headland.order", "headland.direction"},
           .concernsSwaths = false,
           .alternatives = headlandPasses}}};

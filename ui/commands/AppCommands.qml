@@ -25,6 +25,7 @@ QtObject {
     signal saveRequested()
     signal saveAsRequested()
     signal exportRequested()
+    signal bestPlanRequested()
     signal renameFieldRequested()
     signal addPlanRequested()
     signal renamePlanRequested()
@@ -295,6 +296,15 @@ QtObject {
             shortcut: "F5"
             enabled: root.farm.hasField
             onTriggered: root.planning.planAgain()
+        },
+        Command {
+            objectName: "command.bestPlan"
+            group: root.planGroup
+            text: qsTr("Find the best plan…")
+            shortcut: "Ctrl+B"
+            keywords: qsTr("quickest optimise compare alternatives")
+            enabled: root.farm.hasField
+            onTriggered: root.bestPlanRequested()
         },
         Command {
             objectName: "command.fit"

@@ -13,6 +13,7 @@ Rectangle {
     signal openRequested()
     signal drawRequested()
     signal checkRequested()
+    signal bestPlanRequested()
 
     objectName: "stepsPanel"
     color: Theme.panel
@@ -20,7 +21,7 @@ Rectangle {
     ScrollArea {
         id: flick
 
-        anchors.fill: parent
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: foot.top }
         contentHeight: column.height + 24
 
         Column {
@@ -45,6 +46,28 @@ Rectangle {
                     onCheckRequested: root.checkRequested()
                 }
             }
+        }
+    }
+    Rectangle {
+        id: foot
+
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: visible ? best.height + 20 : 0
+        visible: root.planning.state !== PlanState.Empty && root.planning.state !== PlanState.Choosing
+        color: Theme.panel
+
+        Rectangle {
+            width: parent.width
+            height: Theme.hairline
+            color: Theme.line
+        }
+        PushButton {
+            id: best
+
+            objectName: "steps.bestPlan"
+            anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: 12 }
+            text: qsTr("Find the best plan…")
+            onClicked: root.bestPlanRequested()
         }
     }
     Rectangle {

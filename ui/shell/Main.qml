@@ -2,6 +2,7 @@ import QtQuick
 import QtCore
 import QtQuick.Controls
 import QtPositioning
+import Furrow.Best
 import Furrow.Commands
 import Furrow.Controls
 import Furrow.Edit
@@ -119,6 +120,7 @@ ApplicationWindow {
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
+        onBestPlanRequested: bestPlanDialog.open()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
@@ -217,6 +219,7 @@ ApplicationWindow {
         onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
         onCheckRequested: root.showFindings()
+        onBestPlanRequested: bestPlanDialog.open()
     }
     MapPage {
         id: page
@@ -377,6 +380,12 @@ ApplicationWindow {
         anchors.centerIn: Overlay.overlay
         exporter: root.session.exporter
         planning: root.session.planning
+    }
+    BestPlanDialog {
+        id: bestPlanDialog
+
+        anchors.centerIn: Overlay.overlay
+        search: root.session.bestSearch
     }
     Tour {
         id: tour

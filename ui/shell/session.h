@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/best/best_search.h"
 #include "ui/export/export_model.h"
 #include "ui/layers/imagery_model.h"
 #include "ui/map/shown_plan.h"
@@ -33,6 +34,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::FieldOpener* opener READ opener CONSTANT FINAL)
     Q_PROPERTY(furrow::ShownPlan* shown READ shown CONSTANT FINAL)
     Q_PROPERTY(furrow::Planning* planning READ planning CONSTANT FINAL)
+    Q_PROPERTY(furrow::BestSearch* bestSearch READ bestSearch CONSTANT FINAL)
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
@@ -49,6 +51,7 @@ public:
     FieldOpener* opener() { return &opener_; }
     ShownPlan* shown() { return &shown_; }
     Planning* planning() { return &planning_; }
+    BestSearch* bestSearch() { return &bestSearch_; }
     FiguresModel* figures() { return &figures_; }
     FindingsModel* findings() { return &findings_; }
     ExportModel* exporter() { return &exporter_; }
@@ -69,6 +72,7 @@ private:
     FieldOpener opener_{document_, files_, recent_, problem_};
     ShownPlan shown_;
     Planning planning_{document_, opener_, shown_, problem_};
+    BestSearch bestSearch_{document_};
     FiguresModel figures_;
     FindingsModel findings_;
     ExportModel exporter_;

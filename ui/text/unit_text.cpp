@@ -122,6 +122,16 @@ QString durationText(Duration duration) {
     return Text::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
 }
 
+QString exactDurationText(Duration duration) {
+    const auto whole = static_cast<qint64>(std::llround(duration.si()));
+    if (whole < 60) {
+        return Text::tr("%1 s").arg(whole);
+    }
+    const QString rest = QStringLiteral("%1").arg(whole % 60, 2, 10, QLatin1Char{'0'});
+    return whole < 3600 ? Text::tr("%1 min %2 s").arg(whole / 60).arg(rest)
+                        : Text::tr("%1 h %2 min %3 s").arg(whole / 3600).arg(whole / 60 % 60).arg(rest);
+}
+
 QString percentText(double share, int decimals) {
     return Text::tr("%1 %").arg(numberText(share * 100.0, decimals));
 }

@@ -25,6 +25,8 @@ QString hectaresText(Area area, int decimals);
 QString speedText(Speed speed);
 QString accelerationText(Acceleration acceleration, int decimals);
 QString durationText(Duration duration);
+/// To the second: "2 min 05 s".
+QString exactDurationText(Duration duration);
 QString percentText(double share, int decimals = 0);
 QString numberText(double value, int decimals);
 /// Of a swath heading: "100°".
