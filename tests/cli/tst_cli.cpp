@@ -423,6 +423,32 @@ private slots:
                  contentsOf(folder.filePath("silent/plan.geojson")));
     }
 
+    void bestPlanTellsWhatChoicesAreWorth() {
+        const QTemporaryDir folder;
+        const QStringList line{"plan",      sampleField("bend"), "--machine", "cultivator",
+                               "--set",     "headland.passes=3", "--out",     folder.filePath("best")};
+        const Answer asked = furrowCli(line + QStringList{"--json"});
+        QVERIFY2(asked.status == 0, asked.all());
+        QVERIFY(!asked.json().contains("best"));
+        const Answer answer = furrowCli(line + QStringList{"--best", "--json"});
+        QVERIFY2(answer.status == 0, answer.all());
+        const QJsonObject best = answer.json()["best"].toObject();
+        QVERIFY(best["time_s"].toDouble() < best["time_asked_s"].toDouble());
+        QVERIFY(answer.json()["path"].toObject()["time_s"].toDouble() <
+                asked.json()["path"].toObject()["time_s"].toDouble());
+        QVERIFY(!best["taken"].toArray().isEmpty());
+        QVERIFY(best["taken"].toArray()[0].toObject()["saves_s"].toDouble() > 0.0);
+        // What is given stays and is not tried.
+        QCOMPARE(answer.json()["settings"].toObject()["headland.passes"].toInt(), 3);
+        for (const char* list : {"taken", "others"}) {
+            for (const QJsonValue tried : best[list].toArray()) {
+                QVERIFY(tried.toObject()["choice"].toString() != QStringLiteral("headland"));
+            }
+        }
+        const Answer told = furrowCli(line + QStringList{"--best"});
+        QVERIFY2(told.out.contains("\nBest      ") && told.out.contains("\n  taken   "), told.all());
+    }
+
     void listsAreJsonObjects() {
         for (const char* what : {"methods", "machines", "formats"}) {
             const Answer answer = furrowCli({"list", what, "--json"});
