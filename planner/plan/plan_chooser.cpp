@@ -105,7 +105,7 @@ void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::
 
 bool hasOwnOrder(const Settings& settings) {
     const auto& traits = routeMethod(settings).traits;
-    return traits.isByHand || (traits.isByTime && !settings.numbers(kLocked).empty());
+    return traits.isByHand || (traits.isByTime && namesSwaths(settings));
 }
 
 PlanRequest along(PlanRequest request, Angle heading) {
@@ -205,7 +205,7 @@ Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, c
     std::vector<std::string_view> ids;
     if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable() ||
         routeObjective(plan.request.settings) != RouteObjective::Time || hasOwnOrder(plan.request.settings) ||
-        plan.ordered->route.steps.empty()) {
+        plan.request.settings.count(kOpenStrips) || plan.ordered->route.steps.empty()) {
         return ids;
     }
     const Route& taken = plan.ordered->route;

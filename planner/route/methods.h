@@ -13,6 +13,11 @@ extern const Parameter kCluster;
 extern const Parameter kSkip;
 extern const Parameter kOrder;
 extern const Parameter kLocked;
+/// The swaths at the beginning and the end, by number.
+extern const Parameter kFirstSwath;
+extern const Parameter kLastSwath;
+/// The most strips that may be open at a time.
+extern const Parameter kOpenStrips;
 
 extern const Method<RoutePlanner> kOptimisedMethod;
 extern const Method<RoutePlanner> kBoustrophedonMethod;
@@ -27,5 +32,8 @@ inline constexpr std::array kRouteMethods{
     &kOptimisedMethod, &kBoustrophedonMethod, &kSnakeMethod,  &kSpiralMethod,
     &kSkipMethod,      &kRacetrackMethod,     &kCustomMethod,
 };
+
+/// Whether the searched order is bound to swaths by their numbers.
+bool namesSwaths(const Settings& settings);
 
 }  // namespace furrow

@@ -45,13 +45,15 @@ struct Move {
 /// An order of swaths at places 1 to n, with the depot at 0 and n + 1.
 class Tour {
 public:
-    Tour(const LinkCosts& costs, const EndOrder& order)
+    Tour(const LinkCosts& costs, const OpenStripLimit* strips, const EndOrder& order)
         : costs_{&costs},
+          strips_{strips},
           entered_(order.size() + 2, kDepot),
           place_(order.size()),
           turning_(order.size() + 2) {
         std::ranges::copy(order, entered_.begin() + 1);
         update(1, order.size());
+        excess_ = strips_ != nullptr ? strips_->excess(order) : 0;
     }
 
     std::size_t size() const { return place_.size(); }
@@ -84,20 +86,26 @@ public:
     /// What a stretch costs more if it is driven the other way.
     double turning(std::size_t from, std::size_t to) const { return turning_[to] - turning_[from]; }
 
+    /// Open strips over the limit.
+    std::size_t excess() const { return excess_; }
+    /// Whether a move leaves no more strips open than allowed, or than before.
+    bool allows(const Move& move) const {
+        if (strips_ == nullptr) {
+            return true;
+        }
+        EndOrder after = order();
+        std::ranges::copy(stretch(move), after.begin() + static_cast<std::ptrdiff_t>(begin(move)) - 1);
+        return strips_->excess(after, excess_) <= excess_;
+    }
+
     void apply(const Move& move) {
         const std::size_t from = begin(move);
-        std::size_t place = from;
-        for (std::size_t i = 0; i < move.count; ++i) {
-            const Block& block = move.blocks[i];
-            for (std::size_t k = 0; k <= block.to - block.from; ++k) {
-                before_.push_back(block.turned ? left(block.to - k) : entered(block.from + k));
-            }
+        const EndOrder after = stretch(move);
+        std::ranges::copy(after, entered_.begin() + static_cast<std::ptrdiff_t>(from));
+        update(from, from + after.size() - 1);
+        if (strips_ != nullptr) {
+            excess_ = strips_->excess(order());
         }
-        for (const SwathEnd end : before_) {
-            entered_[place++] = end;
-        }
-        before_.clear();
-        update(from, place - 1);
     }
 
     /// The swaths whose links a move has changed.
@@ -128,6 +136,18 @@ private:
         return from;
     }
 
+    /// What a move puts together.
+    EndOrder stretch(const Move& move) const {
+        EndOrder after;
+        for (std::size_t i = 0; i < move.count; ++i) {
+            const Block& block = move.blocks[i];
+            for (std::size_t k = 0; k <= block.to - block.from; ++k) {
+                after.push_back(block.turned ? left(block.to - k) : entered(block.from + k));
+            }
+        }
+        return after;
+    }
+
     void update(std::size_t from, std::size_t to) {
         for (std::size_t place = from; place <= to; ++place) {
             place_[entered_[place] / 2] = place;
@@ -148,10 +168,11 @@ private:
     }
 
     const LinkCosts* costs_;
+    const OpenStripLimit* strips_;
+    std::size_t excess_ = 0;
     std::vector<SwathEnd> entered_;
     std::vector<std::size_t> place_;  ///< of each swath
     std::vector<double> turning_;     ///< sums up to each place
-    EndOrder before_;
 };
 
 /// A tour as it is, or as it looks from its end: every link backwards. One set of moves serves both.
@@ -181,6 +202,8 @@ public:
     const std::vector<SwathEnd>& near(SwathEnd leaving) const {
         return leaving == kDepot ? nearDepot_ : near_[leaving];
     }
+    /// Of a move as it looks from here.
+    bool allows(const Move& move) const { return tour_.allows(real(move)); }
     Move real(Move move) const {
         if (isMirrored) {
             std::reverse(move.blocks.begin(), move.blocks.begin() + static_cast<std::ptrdiff_t>(move.count));
@@ -244,9 +267,11 @@ private:
         }
         change += view_.link(first.leaving, first.entered) + view_.link(second.leaving, second.entered);
         if (change < best_.change) {
-            best_.change = change;
-            best_.count = blocks.size();
-            std::ranges::copy(blocks, best_.blocks.begin());
+            Move move{.change = change, .blocks = {}, .count = blocks.size()};
+            std::ranges::copy(blocks, move.blocks.begin());
+            if (view_.allows(move)) {
+                best_ = move;
+            }
         }
     }
     /// The link between two places as they will follow each other.
@@ -435,6 +460,9 @@ double OrderSearch::disturb(Tour& tour, double cost) {
     if (move.count == 0) {
         return cost;
     }
+    if (!tour.allows(move)) {
+        return cost;
+    }
     const double before = tour.costOfLinks(cuts.front(), cuts.back());
     tour.apply(move);
     tour.touched(move, [&](std::size_t touched) { queue_.push(touched); });
@@ -452,17 +480,25 @@ FoundOrder OrderSearch::run() {
         turned.cost = task_.costs.of(turned.order);
         starts.push_back(std::move(turned));
     }
-    std::ranges::stable_sort(starts, {}, &FoundOrder::cost);
+    const auto excess = [&](const FoundOrder& found) {
+        return task_.strips != nullptr ? task_.strips->excess(found.order) : 0;
+    };
+    std::ranges::stable_sort(starts, {}, [&](const FoundOrder& found) {
+        return std::pair{excess(found), found.cost};
+    });
     FoundOrder best = starts.front();
+    std::size_t bestExcess = excess(best);
     const auto take = [&](const Tour& tour, double cost) {
-        if (cost < best.cost - kRounding * std::max(1.0, best.cost)) {
+        if (tour.excess() < bestExcess || (tour.excess() == bestExcess &&
+                                           cost < best.cost - kRounding * std::max(1.0, best.cost))) {
             best = {tour.order(), tour.cost()};
+            bestExcess = tour.excess();
         }
     };
     starts.resize(std::min(starts.size(), kBestStarts));
     const std::size_t swaths = task_.costs.swathCount();
     for (const FoundOrder& start : starts) {
-        Tour tour{task_.costs, start.order};
+        Tour tour{task_.costs, task_.strips, start.order};
         for (std::size_t swath = 0; swath < swaths; ++swath) {
             queue_.push(swath);
         }
@@ -471,7 +507,7 @@ FoundOrder OrderSearch::run() {
     if (swaths < 2) {
         return best;
     }
-    Tour kept{task_.costs, best.order};
+    Tour kept{task_.costs, task_.strips, best.order};
     double keptCost = best.cost;
     for (std::size_t round = 0; round < task_.rounds && !job_.stopRequested(); ++round) {
         Tour tour = kept;

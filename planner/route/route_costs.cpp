@@ -83,6 +83,13 @@ RouteCosts::RouteCosts(const RouteTask& task)
             before_[locked[i]] = otherEnd(locked[i - 1]);
         }
     }
+    const auto index = [](int number) { return static_cast<std::size_t>(number - 1); };
+    first_ = task.settings.count(kFirstSwath).transform(index);
+    last_ = task.settings.count(kLastSwath).transform(index);
+    // A swath that is named for the beginning is entered at either end.
+    if (task.settings.choice(kCorner) == "first" && !first_) {
+        begin_ = 0;
+    }
     for (SwathEnd end = 0; end < ends; ++end) {
         left_.push_back(lines_[otherEnd(end)].end());
     }
@@ -111,11 +118,27 @@ double RouteCosts::costOf(const Curve& way) const {
                   std::max(time + steering(way, machine), implement.liftTime + implement.lowerTime));
 }
 
-double RouteCosts::lockedOut(SwathEnd leaving, SwathEnd entered) const {
-    const bool breaks = isWrongWay_[entered] != 0 || isWrongWay_[otherEnd(leaving)] != 0 ||
+bool RouteCosts::isLockedOut(SwathEnd leaving, SwathEnd entered) const {
+    return isWrongWay_[entered] != 0 || isWrongWay_[otherEnd(leaving)] != 0 ||
                         (next_[leaving] != leaving && next_[leaving] != entered) ||
                         (before_[entered] != entered && before_[entered] != leaving);
-    return breaks ? kBroken : 0.0;
+}
+
+bool RouteCosts::isWrongFirst(SwathEnd entered) const {
+    return before_[entered] != entered || (begin_ && entered != *begin_) ||
+           (first_ && entered / 2 != *first_);
+}
+
+bool RouteCosts::isWrongLast(SwathEnd left) const {
+    return next_[left] != left || (last_ && left / 2 != *last_);
+}
+
+bool RouteCosts::isBroken(const EndOrder& order) const {
+    bool broken = !order.empty() && (isWrongFirst(order.front()) || isWrongLast(otherEnd(order.back())));
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        broken = broken || isLockedOut(otherEnd(order[i - 1]), order[i]);
+    }
+    return broken;
 }
 
 double RouteCosts::workingOn(std::size_t swath) const {
@@ -128,20 +151,18 @@ LinkCosts::Functions RouteCosts::functions() {
     LinkCosts::Functions costs;
     costs.link = [this](SwathEnd leaving, SwathEnd entered) {
         return costOf(connection(left_[leaving], lines_[entered].start, task_.machine, task_.turn)) +
-               lockedOut(leaving, entered);
+               (isLockedOut(leaving, entered) ? kBroken : 0.0);
     };
     costs.atLeast = [this](SwathEnd a, SwathEnd b) {
         return costPerMetre_ * std::min(distance(left_[a].position, lines_[b].start.position),
                                         distance(left_[b].position, lines_[a].start.position));
     };
-    const bool fromFirst = task_.settings.choice(kCorner) == "first";
-    costs.begin = [this, fromFirst](SwathEnd entered) {
-        const bool isBroken = before_[entered] != entered || (fromFirst && entered != 0);
-        return (isBroken ? kBroken : 0.0) +
+    costs.begin = [this](SwathEnd entered) {
+        return (isWrongFirst(entered) ? kBroken : 0.0) +
                (task_.start ? costPerMetre_ * distance(*task_.start, lines_[entered].start.position) : 0.0);
     };
     costs.finish = [this](SwathEnd left) {
-        return (next_[left] != left ? kBroken : 0.0) +
+        return (isWrongLast(left) ? kBroken : 0.0) +
                (task_.end ? costPerMetre_ * distance(left_[left].position, *task_.end) : 0.0);
     };
     if (task_.way) {

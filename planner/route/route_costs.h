@@ -4,6 +4,8 @@
 #include "planner/route/route.h"
 #include "planner/turns/manoeuvre_search.h"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -18,7 +20,7 @@ RouteObjective routeObjective(const Settings& settings);
 /// What the swaths of a task and the links between them cost by the chosen objective: seconds, metres or
 /// litres. Turns are driven at the speeds for turning and reversing, long ways of several moves at the speed
 /// for transfers. A link for which no way fits costs some minutes more than in free space, and one that
-/// breaks what route.locked says hours more. The task must outlive it.
+/// breaks what route.locked, route.first or route.last says hours more. The task must outlive it.
 class RouteCosts {
 public:
     explicit RouteCosts(const RouteTask& task);
@@ -32,11 +34,15 @@ public:
     /// Of all swaths.
     double working() const { return working_; }
     double workingOn(std::size_t swath) const;
+    /// Whether an order breaks what route.locked, route.first or route.last says.
+    bool isBroken(const EndOrder& order) const;
 
 private:
     double costOf(const Curve& way) const;
     double costOf(Length length, Duration time, double FuelUse::* litresPerHour = &FuelUse::turningLph) const;
-    double lockedOut(SwathEnd leaving, SwathEnd entered) const;
+    bool isLockedOut(SwathEnd leaving, SwathEnd entered) const;
+    bool isWrongFirst(SwathEnd entered) const;
+    bool isWrongLast(SwathEnd left) const;
     LinkCosts::Functions functions();
 
     const RouteTask& task_;
@@ -51,6 +57,9 @@ private:
     std::vector<SwathEnd> next_;
     std::vector<SwathEnd> before_;
     std::vector<char> isWrongWay_;  ///< by the end that is entered
+    std::optional<SwathEnd> begin_;      ///< of route.corner
+    std::optional<std::size_t> first_;   ///< swath
+    std::optional<std::size_t> last_;
     LinkCosts links_;
 };
 
