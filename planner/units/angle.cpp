@@ -46,4 +46,8 @@ double lineBearingDeg(Angle swathHeading) {
     return wrapped(90.0 - inDegrees(swathHeading), 180.0);
 }
 
+double bearingDeg(Angle heading) {
+    return wrapped(90.0 - inDegrees(heading), 360.0);
+}
+
 }  // namespace furrow

@@ -21,5 +21,7 @@ Angle angleBetweenLines(Angle a, Angle b);
 
 /// What people see for a line: degrees clockwise from north, in [0, 180).
 double lineBearingDeg(Angle swathHeading);
+/// The same for a direction, in [0, 360).
+double bearingDeg(Angle heading);
 
 }  // namespace furrow

@@ -281,6 +281,7 @@ void FieldEditor::pickFromPlan(const Pointer& pointer) {
     const Point place = plan->field().frame().toLocal(pointer.place);
     if (const auto segment = segmentAt(*plan, place, pointer.reach)) {
         select({.kind = Selection::Kind::Segment, .outline = {}, .index = *segment});
+        emit segmentClicked(static_cast<int>(*segment));
     } else if (const auto cell = cellAt(*plan, place); cell && plan->cells.cells.size() > 1) {
         select({.kind = Selection::Kind::Cell, .outline = {}, .index = *cell});
     } else {
@@ -401,6 +402,13 @@ void FieldEditor::select(const Selection& selection) {
     selection_ = selection;
     emit selectionChanged();
     emit changed();
+}
+
+void FieldEditor::selectSegment(int index) {
+    select(index < 0 ? Selection{}
+                     : Selection{.kind = Selection::Kind::Segment,
+                                 .outline = {},
+                                 .index = static_cast<std::size_t>(index)});
 }
 
 void FieldEditor::selectFinding(int index) {

@@ -103,6 +103,8 @@ public:
 
     void select(const Selection& selection);
     Q_INVOKABLE void selectFinding(int index);
+    /// Of the path; nothing below 0.
+    Q_INVOKABLE void selectSegment(int index);
     Q_INVOKABLE void clearSelection() { select({}); }
     /// Around the outline of what is selected, or the first one: `step` vertices further, or edges where one
     /// is selected.
@@ -153,6 +155,8 @@ signals:
     void sketchChanged();
     void draggingChanged();
     void selectionChanged();
+    /// A segment of the path, on the map.
+    void segmentClicked(int index);
     /// Anything that is drawn.
     void changed();
 

@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
 import Furrow.Controls
+import Furrow.Order
 import Furrow.Project
 
 /// One step of the plan: its number, what is chosen and what came of it; opens to its settings, or leads to the list
@@ -26,9 +27,14 @@ Rectangle {
     /// Only opening and closing are shown as a motion, not a line more or less in the header.
     property bool moving: false
     signal toggled()
+    /// Opened, with all of its settings there.
+    signal opened()
+    /// This part of it needs more room.
+    signal grown(part: Item)
     signal openRequested()
     signal drawRequested()
     signal checkRequested()
+    signal swathChosen(segment: int)
 
     implicitHeight: header.height + (body.active ? body.height + 16 : 0)
     radius: Theme.cardRadius
@@ -52,7 +58,11 @@ Rectangle {
         id: settled
 
         interval: Theme.motion * 2
-        onTriggered: root.moving = false
+        onTriggered: {
+            root.moving = false;
+            if (root.open)
+                root.opened();
+        }
     }
     T.Button {
         id: header
@@ -163,6 +173,18 @@ Rectangle {
                 visible: active
                 sourceComponent: CellStepper {
                     cells: root.planning.cells
+                }
+            }
+            Loader {
+                width: parent.width
+                active: root.stepId === "route"
+                visible: active
+                sourceComponent: OrderEditor {
+                    id: order
+
+                    order: root.planning.order
+                    onGrown: root.grown(order)
+                    onSwathChosen: segment => root.swathChosen(segment)
                 }
             }
             ParameterList {

@@ -14,6 +14,7 @@ Rectangle {
     signal drawRequested()
     signal checkRequested()
     signal bestPlanRequested()
+    signal swathChosen(segment: int)
 
     objectName: "stepsPanel"
     color: Theme.panel
@@ -36,14 +37,19 @@ Rectangle {
                 model: root.planning.steps
 
                 StepItem {
+                    id: step
+
                     width: column.width
                     planning: root.planning
                     opener: root.opener
                     open: !leadsOn && root.openStep === stepId
                     onToggled: root.openStep = open ? "" : stepId
+                    onOpened: flick.bringIntoView(step)
+                    onGrown: part => Qt.callLater(flick.bringIntoView, part)
                     onOpenRequested: root.openRequested()
                     onDrawRequested: root.drawRequested()
                     onCheckRequested: root.checkRequested()
+                    onSwathChosen: segment => root.swathChosen(segment)
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 #include "ui/jobs/job_runner.h"
 #include "ui/map/shown_plan.h"
+#include "ui/order/swath_order.h"
 #include "ui/plan/cell_steps.h"
 #include "ui/plan/machine_model.h"
 #include "ui/plan/plan_job.h"
@@ -33,6 +34,7 @@ class Planning : public QObject {
     Q_PROPERTY(furrow::StepsModel* steps READ steps CONSTANT FINAL)
     Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
     Q_PROPERTY(furrow::CellSteps* cells READ cells CONSTANT FINAL)
+    Q_PROPERTY(furrow::SwathOrder* order READ order CONSTANT FINAL)
 
 public:
     Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem,
@@ -47,6 +49,7 @@ public:
     StepsModel* steps() { return &steps_; }
     MachineModel* machine() { return &machine_; }
     CellSteps* cells() { return &cells_; }
+    SwathOrder* order() { return &order_; }
     const Settings& settings() const { return document_.project()->plan().settings; }
 
     /// Stops reading and planning.
@@ -109,6 +112,7 @@ private:
     StepsModel steps_;
     MachineModel machine_;
     CellSteps cells_;
+    SwathOrder order_{document_, shown_};
     JobRunner planner_;
 };
 

@@ -220,6 +220,7 @@ ApplicationWindow {
         onDrawRequested: page.startDrawing()
         onCheckRequested: root.showFindings()
         onBestPlanRequested: bestPlanDialog.open()
+        onSwathChosen: segment => page.editor.selectSegment(segment)
     }
     MapPage {
         id: page
@@ -401,6 +402,13 @@ ApplicationWindow {
 
         function onFieldOpened(): void {
             page.fitField(false);
+        }
+    }
+    Connections {
+        target: page.editor
+
+        function onSegmentClicked(index: int): void {
+            root.session.planning.order.point(index);
         }
     }
     Connections {
