@@ -116,11 +116,11 @@ Changes searchedHeading() {
 std::vector<Alternative> headings(const BestSoFar& best) {
     std::vector<Alternative> found;
     const Settings& settings = best.asked.settings;
-    if (hasHeadingPerCell(settings)) {
-        return found;
-    }
     const Angle now = best.plan.laidOut.laid->swaths.heading;
     for (const HeadingCandidate& candidate : best.headings) {
+        if (hasHeadingPerCell(settings)) {
+            break;
+        }
         if (found.size() < kMostHeadings && angleBetweenLines(candidate.heading, now) > kSameHeading) {
             found.push_back(
                 {.text = message("Heading: bearing {:.1f} degrees", lineBearingDeg(candidate.heading)),
@@ -224,16 +224,16 @@ std::span<const ChoiceRule> rules() {
     return all;
 }
 
-Result<PlanRequest> withChanges(PlanRequest request, const Changes& changes) {
+Result<Settings> withChanges(Settings settings, const Changes& changes) {
     for (const SettingChange& change : changes) {
         const Parameter& parameter = parameterOf(change.key);
         if (change.value.empty()) {
-            request.settings.clear(parameter);
-        } else if (auto set = request.settings.setText(parameter, change.value); !set) {
+            settings.clear(parameter);
+        } else if (auto set = settings.setText(parameter, change.value); !set) {
             return std::unexpected(set.error());
         }
     }
-    return request;
+    return settings;
 }
 
 bool isWorthIt(const PlannedStages& other, const PlannedStages& best) {
@@ -256,7 +256,7 @@ public:
 
     Result<BestSoFar> run();
 
-    ChoiceTable table() &&;
+    ChoiceTable table(const Settings& found) &&;
 
 private:
     Result<bool> change(BestSoFar& best, const ChoiceRule& rule);
@@ -292,8 +292,13 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule) {
     auto made = parallelMap<Result<std::optional<BestSoFar>>>(
         alternatives.size(),
         [&](std::size_t i) -> Result<std::optional<BestSoFar>> {
-            auto asked = withChanges(best.asked, alternatives[i].changes);
-            return asked ? chooser_.changed(best, *asked) : std::optional<BestSoFar>{};
+            auto settings = withChanges(best.asked.settings, alternatives[i].changes);
+            if (!settings) {
+                return std::optional<BestSoFar>{};
+            }
+            PlanRequest asked = best.asked;
+            asked.settings = *std::move(settings);
+            return chooser_.changed(best, asked);
         },
         job_.withoutProgress());
     if (!made) {
@@ -368,10 +373,15 @@ Result<BestSoFar> ChoiceSearch::run() {
     return best;
 }
 
-ChoiceTable ChoiceSearch::table() && {
+/// What was taken and later given up for something else is left out.
+ChoiceTable ChoiceSearch::table(const Settings& found) && {
+    const auto changes = [](const Settings& settings, const TriedChoice& tried) {
+        return withChanges(settings, tried.changes).value() != settings;
+    };
     for (const ChoiceRule* const rule : free_) {
         std::ranges::copy_if(taken_, std::back_inserter(table_.tried), [&](const TriedChoice& tried) {
-            return tried.choice == rule->choice.id;
+            return tried.choice == rule->choice.id && !changes(found, tried) &&
+                   changes(task_.request.settings, tried);
         });
         std::ranges::move(left_[rule], std::back_inserter(table_.tried));
     }
@@ -429,7 +439,7 @@ Result<std::shared_ptr<const Plan>> bestPlan(const BestPlanTask& task, const Job
         return plan;
     }
     auto told = std::make_shared<Plan>(**plan);
-    told->choices = std::move(search).table();
+    told->choices = std::move(search).table(best->asked.settings);
     told->timings.total = watch.lap();
     return told;
 }

@@ -33,7 +33,8 @@ struct ChoiceTable {
     Duration best;   ///< the same of the best plan
     std::ptrdiff_t askedProblems = 0;  ///< blocking findings of the plan as asked
     std::size_t alternatives = 0;      ///< that were planned
-    std::vector<TriedChoice> tried;    ///< in the order of the choices; what was taken first
+    /// In the order of the choices; what was taken first, without what was given up again later.
+    std::vector<TriedChoice> tried;
 };
 
 }  // namespace furrow
