@@ -1349,6 +1349,48 @@
     </message>
 </context>
 <context>
+    <name>OrderEditor</name>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Reihenfolge von Hand ändern…</translation>
+    </message>
+    <message>
+        <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
+        <translation>Ziehen Sie eine Spur an ihren neuen Platz. Oder klicken Sie Spuren auf der Karte an: jede folgt auf die zuvor angeklickte.</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Reihenfolge der Spuren</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Search the order of the others</source>
+        <translation>Reihenfolge der anderen suchen</translation>
+    </message>
+    <message>
+        <source>Search the order again</source>
+        <translation>Reihenfolge neu suchen</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRow</name>
+    <message>
+        <source>%1. Swath %2, %3</source>
+        <translation>%1. Spur %2, %3</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Spur %1</translation>
+    </message>
+    <message>
+        <source>Drive swath %1 the other way</source>
+        <translation>Spur %1 andersherum fahren</translation>
+    </message>
+</context>
+<context>
     <name>ParameterField</name>
     <message>
         <source>Auto</source>
@@ -5364,6 +5406,46 @@
         <source>Small obstacles</source>
         <translation>Kleine Hindernisse</translation>
     </message>
+    <message>
+        <source>First swath</source>
+        <translation>Erste Spur</translation>
+    </message>
+    <message>
+        <source>Last swath</source>
+        <translation>Letzte Spur</translation>
+    </message>
+    <message>
+        <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
+        <translation>So viele Streifen bleiben höchstens zwischen gefahrenen Spuren für später offen. Mit 0 kehrt die Maschine nie zu einer Lücke zurück, sodass eine zweite folgen kann; „auto“ setzt keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Open strips</source>
+        <translation>Offene Streifen</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven first; auto takes any.</source>
+        <translation>Die Nummer der Spur, die zuerst gefahren wird; „auto“ nimmt irgendeine.</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven last; auto takes any.</source>
+        <translation>Die Nummer der Spur, die zuletzt gefahren wird; „auto“ nimmt irgendeine.</translation>
+    </message>
+    <message>
+        <source>allow more open strips, or lock fewer swaths</source>
+        <translation>erlauben Sie mehr offene Streifen, oder legen Sie weniger Spuren fest</translation>
+    </message>
+    <message>
+        <source>name another swath for the end</source>
+        <translation>nennen Sie eine andere Spur für das Ende</translation>
+    </message>
+    <message>
+        <source>no order was found that keeps to all that is said of the order of swaths</source>
+        <translation>es wurde keine Reihenfolge gefunden, die alle Vorgaben für die Reihenfolge der Spuren einhält</translation>
+    </message>
+    <message>
+        <source>swath %1 is driven first</source>
+        <translation>Spur %1 wird zuerst gefahren</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6624,6 +6706,21 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Noch einmal schreiben, wenn der Plan fertig ist.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::SwathOrder</name>
+    <message>
+        <source>Search the order of the other swaths</source>
+        <translation>Reihenfolge der anderen Spuren suchen</translation>
+    </message>
+    <message>
+        <source>Search the order</source>
+        <translation>Reihenfolge suchen</translation>
+    </message>
+    <message>
+        <source>Change the order of swaths</source>
+        <translation>Reihenfolge der Spuren ändern</translation>
     </message>
 </context>
 </TS>

@@ -1349,6 +1349,48 @@
     </message>
 </context>
 <context>
+    <name>OrderEditor</name>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Cambiar el orden a mano…</translation>
+    </message>
+    <message>
+        <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
+        <translation>Arrastre una pasada a su nuevo lugar. O haga clic en pasadas del mapa: cada una sigue a la anterior.</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Orden de las pasadas</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Search the order of the others</source>
+        <translation>Buscar el orden de las demás</translation>
+    </message>
+    <message>
+        <source>Search the order again</source>
+        <translation>Buscar de nuevo el orden</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRow</name>
+    <message>
+        <source>%1. Swath %2, %3</source>
+        <translation>%1. Pasada %2, %3</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Pasada %1</translation>
+    </message>
+    <message>
+        <source>Drive swath %1 the other way</source>
+        <translation>Recorrer la pasada %1 al revés</translation>
+    </message>
+</context>
+<context>
     <name>ParameterField</name>
     <message>
         <source>Auto</source>
@@ -5364,6 +5406,46 @@
         <source>Small obstacles</source>
         <translation>Obstáculos pequeños</translation>
     </message>
+    <message>
+        <source>First swath</source>
+        <translation>Primera pasada</translation>
+    </message>
+    <message>
+        <source>Last swath</source>
+        <translation>Última pasada</translation>
+    </message>
+    <message>
+        <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
+        <translation>Máximo de franjas que quedan entre pasadas hechas para más tarde. Con 0 la máquina nunca vuelve a un hueco, de modo que otra puede seguirla; «auto» no pone límite.</translation>
+    </message>
+    <message>
+        <source>Open strips</source>
+        <translation>Franjas abiertas</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven first; auto takes any.</source>
+        <translation>El número de la pasada que se hace primero; «auto» toma cualquiera.</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven last; auto takes any.</source>
+        <translation>El número de la pasada que se hace al final; «auto» toma cualquiera.</translation>
+    </message>
+    <message>
+        <source>allow more open strips, or lock fewer swaths</source>
+        <translation>permita más franjas abiertas, o fije menos pasadas</translation>
+    </message>
+    <message>
+        <source>name another swath for the end</source>
+        <translation>nombre otra pasada para el final</translation>
+    </message>
+    <message>
+        <source>no order was found that keeps to all that is said of the order of swaths</source>
+        <translation>no se encontró ningún orden que cumpla todo lo indicado sobre el orden de las pasadas</translation>
+    </message>
+    <message>
+        <source>swath %1 is driven first</source>
+        <translation>la pasada %1 se hace primero</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6624,6 +6706,21 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Escríbalo de nuevo cuando el plan esté listo.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::SwathOrder</name>
+    <message>
+        <source>Search the order of the other swaths</source>
+        <translation>Buscar el orden de las demás pasadas</translation>
+    </message>
+    <message>
+        <source>Search the order</source>
+        <translation>Buscar el orden</translation>
+    </message>
+    <message>
+        <source>Change the order of swaths</source>
+        <translation>Cambiar el orden de las pasadas</translation>
     </message>
 </context>
 </TS>

@@ -1349,6 +1349,48 @@
     </message>
 </context>
 <context>
+    <name>OrderEditor</name>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Changer l’ordre à la main…</translation>
+    </message>
+    <message>
+        <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
+        <translation>Faites glisser un passage à sa nouvelle place. Ou cliquez des passages sur la carte : chacun suit le précédent.</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Ordre des passages</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Search the order of the others</source>
+        <translation>Chercher l’ordre des autres</translation>
+    </message>
+    <message>
+        <source>Search the order again</source>
+        <translation>Chercher l’ordre à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRow</name>
+    <message>
+        <source>%1. Swath %2, %3</source>
+        <translation>%1. Passage %2, %3</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>Drive swath %1 the other way</source>
+        <translation>Parcourir le passage %1 dans l’autre sens</translation>
+    </message>
+</context>
+<context>
     <name>ParameterField</name>
     <message>
         <source>Auto</source>
@@ -5364,6 +5406,46 @@
         <source>Small obstacles</source>
         <translation>Petits obstacles</translation>
     </message>
+    <message>
+        <source>First swath</source>
+        <translation>Premier passage</translation>
+    </message>
+    <message>
+        <source>Last swath</source>
+        <translation>Dernier passage</translation>
+    </message>
+    <message>
+        <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
+        <translation>Nombre maximal de bandes laissées entre des passages faits pour plus tard. Avec 0 la machine ne revient jamais à un vide, et une autre peut la suivre ; « auto » ne met pas de limite.</translation>
+    </message>
+    <message>
+        <source>Open strips</source>
+        <translation>Bandes ouvertes</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven first; auto takes any.</source>
+        <translation>Le numéro du passage fait en premier ; « auto » en prend un quelconque.</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven last; auto takes any.</source>
+        <translation>Le numéro du passage fait en dernier ; « auto » en prend un quelconque.</translation>
+    </message>
+    <message>
+        <source>allow more open strips, or lock fewer swaths</source>
+        <translation>autorisez plus de bandes ouvertes, ou verrouillez moins de passages</translation>
+    </message>
+    <message>
+        <source>name another swath for the end</source>
+        <translation>nommez un autre passage pour la fin</translation>
+    </message>
+    <message>
+        <source>no order was found that keeps to all that is said of the order of swaths</source>
+        <translation>aucun ordre trouvé ne respecte tout ce qui est dit de l’ordre des passages</translation>
+    </message>
+    <message>
+        <source>swath %1 is driven first</source>
+        <translation>le passage %1 est fait en premier</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6624,6 +6706,21 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Écrivez-le à nouveau quand le plan sera prêt.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::SwathOrder</name>
+    <message>
+        <source>Search the order of the other swaths</source>
+        <translation>Chercher l’ordre des autres passages</translation>
+    </message>
+    <message>
+        <source>Search the order</source>
+        <translation>Chercher l’ordre</translation>
+    </message>
+    <message>
+        <source>Change the order of swaths</source>
+        <translation>Changer l’ordre des passages</translation>
     </message>
 </context>
 </TS>

@@ -1349,6 +1349,48 @@
     </message>
 </context>
 <context>
+    <name>OrderEditor</name>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Volgorde met de hand wijzigen…</translation>
+    </message>
+    <message>
+        <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
+        <translation>Sleep een werkgang naar zijn nieuwe plaats. Of klik werkgangen op de kaart aan: elke volgt op de vorige.</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Volgorde van werkgangen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Search the order of the others</source>
+        <translation>Volgorde van de andere zoeken</translation>
+    </message>
+    <message>
+        <source>Search the order again</source>
+        <translation>Volgorde opnieuw zoeken</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRow</name>
+    <message>
+        <source>%1. Swath %2, %3</source>
+        <translation>%1. Werkgang %2, %3</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Werkgang %1</translation>
+    </message>
+    <message>
+        <source>Drive swath %1 the other way</source>
+        <translation>Werkgang %1 andersom rijden</translation>
+    </message>
+</context>
+<context>
     <name>ParameterField</name>
     <message>
         <source>Auto</source>
@@ -5364,6 +5406,46 @@
         <source>Small obstacles</source>
         <translation>Kleine obstakels</translation>
     </message>
+    <message>
+        <source>First swath</source>
+        <translation>Eerste werkgang</translation>
+    </message>
+    <message>
+        <source>Last swath</source>
+        <translation>Laatste werkgang</translation>
+    </message>
+    <message>
+        <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
+        <translation>Hoogste aantal stroken dat tussen gereden werkgangen voor later open blijft. Met 0 keert de machine nooit terug naar een gat, zodat een tweede kan volgen; ‘auto’ stelt geen grens.</translation>
+    </message>
+    <message>
+        <source>Open strips</source>
+        <translation>Open stroken</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven first; auto takes any.</source>
+        <translation>Het nummer van de werkgang die het eerst wordt gereden; ‘auto’ neemt een willekeurige.</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven last; auto takes any.</source>
+        <translation>Het nummer van de werkgang die het laatst wordt gereden; ‘auto’ neemt een willekeurige.</translation>
+    </message>
+    <message>
+        <source>allow more open strips, or lock fewer swaths</source>
+        <translation>sta meer open stroken toe, of leg minder werkgangen vast</translation>
+    </message>
+    <message>
+        <source>name another swath for the end</source>
+        <translation>noem een andere werkgang voor het eind</translation>
+    </message>
+    <message>
+        <source>no order was found that keeps to all that is said of the order of swaths</source>
+        <translation>er is geen volgorde gevonden die alle eisen aan de volgorde van werkgangen volgt</translation>
+    </message>
+    <message>
+        <source>swath %1 is driven first</source>
+        <translation>werkgang %1 wordt het eerst gereden</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6624,6 +6706,21 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Schrijf het opnieuw als het plan klaar is.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::SwathOrder</name>
+    <message>
+        <source>Search the order of the other swaths</source>
+        <translation>Volgorde van de andere werkgangen zoeken</translation>
+    </message>
+    <message>
+        <source>Search the order</source>
+        <translation>Volgorde zoeken</translation>
+    </message>
+    <message>
+        <source>Change the order of swaths</source>
+        <translation>Volgorde van werkgangen wijzigen</translation>
     </message>
 </context>
 </TS>

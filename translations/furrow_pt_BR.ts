@@ -1349,6 +1349,48 @@
     </message>
 </context>
 <context>
+    <name>OrderEditor</name>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Mudar a ordem à mão…</translation>
+    </message>
+    <message>
+        <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
+        <translation>Arraste uma passada ao novo lugar. Ou clique em passadas no mapa: cada uma segue a anterior.</translation>
+    </message>
+    <message>
+        <source>Order of swaths</source>
+        <translation>Ordem das passadas</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Concluir</translation>
+    </message>
+    <message>
+        <source>Search the order of the others</source>
+        <translation>Buscar a ordem das outras</translation>
+    </message>
+    <message>
+        <source>Search the order again</source>
+        <translation>Buscar a ordem de novo</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRow</name>
+    <message>
+        <source>%1. Swath %2, %3</source>
+        <translation>%1. Passada %2, %3</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Passada %1</translation>
+    </message>
+    <message>
+        <source>Drive swath %1 the other way</source>
+        <translation>Percorrer a passada %1 ao contrário</translation>
+    </message>
+</context>
+<context>
     <name>ParameterField</name>
     <message>
         <source>Auto</source>
@@ -5364,6 +5406,46 @@
         <source>Small obstacles</source>
         <translation>Obstáculos pequenos</translation>
     </message>
+    <message>
+        <source>First swath</source>
+        <translation>Primeira passada</translation>
+    </message>
+    <message>
+        <source>Last swath</source>
+        <translation>Última passada</translation>
+    </message>
+    <message>
+        <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
+        <translation>Máximo de faixas que ficam entre passadas feitas para depois. Com 0 a máquina nunca volta a uma lacuna, e outra pode segui-la; “auto” não põe limite.</translation>
+    </message>
+    <message>
+        <source>Open strips</source>
+        <translation>Faixas abertas</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven first; auto takes any.</source>
+        <translation>O número da passada feita primeiro; “auto” usa qualquer uma.</translation>
+    </message>
+    <message>
+        <source>The number of the swath that is driven last; auto takes any.</source>
+        <translation>O número da passada feita por último; “auto” usa qualquer uma.</translation>
+    </message>
+    <message>
+        <source>allow more open strips, or lock fewer swaths</source>
+        <translation>permita mais faixas abertas, ou fixe menos passadas</translation>
+    </message>
+    <message>
+        <source>name another swath for the end</source>
+        <translation>indique outra passada para o fim</translation>
+    </message>
+    <message>
+        <source>no order was found that keeps to all that is said of the order of swaths</source>
+        <translation>não foi encontrada nenhuma ordem que siga tudo o que é dito da ordem das passadas</translation>
+    </message>
+    <message>
+        <source>swath %1 is driven first</source>
+        <translation>a passada %1 é feita primeiro</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6624,6 +6706,21 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Grave de novo quando o plano estiver pronto.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::SwathOrder</name>
+    <message>
+        <source>Search the order of the other swaths</source>
+        <translation>Buscar a ordem das outras passadas</translation>
+    </message>
+    <message>
+        <source>Search the order</source>
+        <translation>Buscar a ordem</translation>
+    </message>
+    <message>
+        <source>Change the order of swaths</source>
+        <translation>Mudar a ordem das passadas</translation>
     </message>
 </context>
 </TS>

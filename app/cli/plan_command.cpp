@@ -76,10 +76,10 @@ void printChoices(const ChoiceTable& table) {
                                                            : std::string{"fewer problems"});
                 break;
             case TriedChoice::Worth::Slower:
-                std::println("          {}: {} {}", tried.text.text(),
-                             minutesSeconds(tried.difference < Duration{} ? -tried.difference
-                                                                          : tried.difference),
-                             tried.difference < Duration{} ? "quicker" : "slower");
+                std::println(
+                    "          {}: {} {}", tried.text.text(),
+                    minutesSeconds(tried.difference < Duration{} ? -tried.difference : tried.difference),
+                    tried.difference < Duration{} ? "quicker" : "slower");
                 break;
             case TriedChoice::Worth::Behind: ++behind; break;
         }

@@ -210,13 +210,13 @@ std::span<const ChoiceRule> rules() {
          {.choice = kCells,
           .keys = {"decomposition.method", "decomposition.heading", "decomposition.split"},
           .alternatives = cells},
-         {.choice = kSwathOrder, .keys = {"route.method", "route.objective", "route.locked", "route.first", "route.last",
-                   "route.open_strips"}, .alternatives = orders},
+         {.choice = kSwathOrder,
+          .keys = {"route.method", "route.objective", "route.locked", "route.first", "route.last",
+                   "route.open_strips"},
+          .alternatives = orders},
          {.choice = kLast, .keys = {"swaths.last_pass"}, .alternatives = lastPasses},
          {.choice = kSwathEnds, .keys = {"swaths.ends"}, .alternatives = ends},
-         {.choice = kObstacles,
-          .keys = {"swaths.round_up_to_m"},
-          .alternatives = obstacles},
+         {.choice = kObstacles, .keys = {"swaths.round_up_to_m"}, .alternatives = obstacles},
          {.choice = kPasses,
           .keys = {"headland.order", "headland.direction"},
           .concernsSwaths = false,
@@ -338,8 +338,10 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule) {
     std::vector<HeadingCandidate> headings = std::move(best.headings);
     best = **std::move((*made)[*chosen]);
     // A heading by hand has no others beside it.
-    const auto& found = best.plan.laidOut.laid->swaths.candidates;
-    best.headings = found.empty() ? std::move(headings) : found;
+    best.headings = best.plan.laidOut.laid->swaths.candidates;
+    if (best.headings.empty()) {
+        best.headings = std::move(headings);
+    }
     tell(best);
     return true;
 }
@@ -418,8 +420,8 @@ std::span<const PlanChoice> planChoices() {
 bool isGiven(const PlanChoice& choice, const Settings& settings) {
     const auto rule =
         std::ranges::find(rules(), choice.id, [](const ChoiceRule& each) { return each.choice.id; });
-    return std::ranges::any_of(
-        rule->keys, [&](std::string_view key) { return settings.isSet(parameterOf(key)); });
+    return std::ranges::any_of(rule->keys,
+                               [&](std::string_view key) { return settings.isSet(parameterOf(key)); });
 }
 
 Result<std::shared_ptr<const Plan>> bestPlan(const BestPlanTask& task, const JobContext& job,

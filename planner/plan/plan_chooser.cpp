@@ -118,7 +118,7 @@ PlanRequest along(PlanRequest request, Angle heading) {
 /// Cancelled.
 /// @param meanwhile  of plans that are made at once, where only the best is wanted
 Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const BestSoFar& best, const PlanRequest& other,
-                                                       double near, QuickestMeanwhile* meanwhile) {
+                                                           double near, QuickestMeanwhile* meanwhile) {
     PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
     toBeat.time = near * toBeat.time;
     toBeat.meanwhile = meanwhile;
@@ -276,7 +276,8 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
 }
 
 /// The plan along another heading with its own best order and corners, if it is near. Cancelled.
-Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best, const HeadingCandidate& candidate) {
+Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best,
+                                                           const HeadingCandidate& candidate) {
     auto other = changed(best, along(best.asked, candidate.heading));
     if (other && *other) {
         (*other)->asked = best.asked;

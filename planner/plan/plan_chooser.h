@@ -42,7 +42,8 @@ PlanRequest along(PlanRequest request, Angle heading);
 /// Plans requests and what they leave to the planner, and compares the plans as driven.
 class PlanChooser {
 public:
-    PlanChooser(StageRunner& runner, const JobContext& job) : runner_{runner}, quiet_{job.withoutProgress()} {}
+    PlanChooser(StageRunner& runner, const JobContext& job)
+        : runner_{runner}, quiet_{job.withoutProgress()} {}
 
     /// The plan as asked, with what is left to the planner decided by the time of the driven path: heading,
     /// order and corners. Errors: those of the stages. Cancelled.
@@ -57,8 +58,8 @@ public:
 private:
     template <class Make>
     Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make);
-    Result<std::optional<PlannedStages>> nearPlan(const BestSoFar& best, const PlanRequest& other, double near,
-                                                  QuickestMeanwhile* meanwhile = nullptr);
+    Result<std::optional<PlannedStages>> nearPlan(const BestSoFar& best, const PlanRequest& other,
+                                                  double near, QuickestMeanwhile* meanwhile = nullptr);
     Result<void> tryCorners(BestSoFar& best);
     Result<void> decideOrderAndCorners(BestSoFar& best);
     Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, std::string_view pattern);

@@ -15,6 +15,7 @@ namespace {
 
 std::size_t mostOpenStrips(const Plan& plan) {
     std::vector<std::vector<std::size_t>> cells;
+    cells.reserve(plan.cells.cells.size());
     for (const Cell& cell : plan.cells.cells) {
         cells.push_back(cell.swaths);
     }

@@ -73,16 +73,15 @@ public:
         std::size_t rounds = isDraft_ ? 0 : std::clamp(kRoundsPerSwath * swaths, kLeastRounds, kMostRounds);
         for (int check = 0; check < kMostChecks && !job.stopRequested(); ++check) {
             const bool isExact = swaths <= kMostByDynamicProgramming && !isDraft_ && strips_ == nullptr;
-            orders_.push_back(
-                isExact ? cheapestOrder(costs_.links()).order
-                        : searchedOrder(
-                              {.costs = costs_.links(),
-                               .near = near_,
-                               .starts = orders_,
-                               .rounds = rounds,
-                               .strips = strips_},
-                              job.part(static_cast<double>(check) / kMostChecks, (check + 1.0) / kMostChecks))
-                              .order);
+            orders_.push_back(isExact ? cheapestOrder(costs_.links()).order
+                                      : searchedOrder({.costs = costs_.links(),
+                                                       .near = near_,
+                                                       .starts = orders_,
+                                                       .rounds = rounds,
+                                                       .strips = strips_},
+                                                      job.part(static_cast<double>(check) / kMostChecks,
+                                                               (check + 1.0) / kMostChecks))
+                                            .order);
             rounds /= 2;
             if (isDraft_ || !checkLinks(orders_.back())) {
                 break;
@@ -128,8 +127,8 @@ EndOrder lockedTogether(const EndOrder& order, EndOrder locked) {
     return locked;
 }
 
-/// The locked swaths after those that lie between them, so that they need leave no strip open; then the swaths
-/// to both sides, outwards.
+/// The locked swaths after those that lie between them, so that they need leave no strip open; then the
+/// swaths to both sides, outwards.
 EndOrder lockedFromInside(const EndOrder& locked, std::size_t swathCount) {
     const auto [least, most] = std::ranges::minmax(locked);
     const auto isLocked = [&](SwathEnd start) {
@@ -277,8 +276,9 @@ const Parameter kLastSwath{.key = "route.last",
 const Parameter kOpenStrips{
     .key = "route.open_strips",
     .name = "Open strips",
-    .description = "Most strips that are left between driven swaths for later. With 0 the machine never comes "
-                   "back to a gap, so that a second one can follow; auto sets no limit.",
+    .description =
+        "Most strips that are left between driven swaths for later. With 0 the machine never comes "
+        "back to a gap, so that a second one can follow; auto sets no limit.",
     .kind = ParameterKind::Count,
     .canBeAuto = true,
     .min = 0.0,

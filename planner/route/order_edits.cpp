@@ -11,8 +11,8 @@ namespace {
 /// Directions by dynamic programming over the end at which each step is left.
 void chooseDirections(std::vector<RouteStep>& steps, const SwathSet& swaths) {
     struct Choice {
-        std::array<double, 2> cost{};   ///< with this step forwards, reversed
-        std::array<bool, 2> before{};   ///< whether the step before is reversed then
+        std::array<double, 2> cost{};  ///< with this step forwards, reversed
+        std::array<bool, 2> before{};  ///< whether the step before is reversed then
     };
     const auto mayBe = [&](std::size_t i, bool reversed) {
         return reversed == steps[i].reversed || !swaths.swaths[steps[i].swath].isClosed();

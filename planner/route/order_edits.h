@@ -9,8 +9,8 @@
 namespace furrow {
 
 /// The order with the step at `from` at the place `to`, places from 0; the others close up. Directions follow
-/// the new order, so that the straight ways from swath to swath are the shortest: those of closed swaths stay.
-/// Cost: O(steps).
+/// the new order, so that the straight ways from swath to swath are the shortest: those of closed swaths
+/// stay. Cost: O(steps).
 std::vector<RouteStep> withStepMoved(const std::vector<RouteStep>& steps, std::size_t from, std::size_t to,
                                      const SwathSet& swaths);
 

@@ -483,14 +483,13 @@ FoundOrder OrderSearch::run() {
     const auto excess = [&](const FoundOrder& found) {
         return task_.strips != nullptr ? task_.strips->excess(found.order) : 0;
     };
-    std::ranges::stable_sort(starts, {}, [&](const FoundOrder& found) {
-        return std::pair{excess(found), found.cost};
-    });
+    std::ranges::stable_sort(starts, {},
+                             [&](const FoundOrder& found) { return std::pair{excess(found), found.cost}; });
     FoundOrder best = starts.front();
     std::size_t bestExcess = excess(best);
     const auto take = [&](const Tour& tour, double cost) {
-        if (tour.excess() < bestExcess || (tour.excess() == bestExcess &&
-                                           cost < best.cost - kRounding * std::max(1.0, best.cost))) {
+        if (tour.excess() < bestExcess ||
+            (tour.excess() == bestExcess && cost < best.cost - kRounding * std::max(1.0, best.cost))) {
             best = {tour.order(), tour.cost()};
             bestExcess = tour.excess();
         }

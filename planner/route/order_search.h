@@ -30,12 +30,13 @@ struct FoundOrder {
 
 /// A cheap order of all swaths with their directions, never dearer than any of the starts. Of equal ones the
 /// earlier start. With a limit for open strips, orders with less over it come before cheaper ones, and no
-/// move leaves more open than before. The two cheapest starts are improved by moves that change up to three links: a stretch is
-/// moved, turned round, or both, where a link becomes cheaper (2-opt, Or-opt, Or-3opt with neighbour lists:
-/// Or 1976; Bentley 1992, doi 10.1287/ijoc.4.4.387). Then an order is disturbed at random places and
-/// improved again, round by round (Lourenço, Martin, Stützle 2003, doi 10.1007/0-306-48056-5_11). A dearer
-/// one is kept less and less often. A stop request ends the search with the best order so far. The same task
-/// gives the same order. Cost: a round costs some ten microseconds, and O(swaths) simple operations; with a limit O(swaths) for each move that is considered.
+/// move leaves more open than before. The two cheapest starts are improved by moves that change up to three
+/// links: a stretch is moved, turned round, or both, where a link becomes cheaper (2-opt, Or-opt, Or-3opt
+/// with neighbour lists: Or 1976; Bentley 1992, doi 10.1287/ijoc.4.4.387). Then an order is disturbed at
+/// random places and improved again, round by round (Lourenço, Martin, Stützle 2003,
+/// doi 10.1007/0-306-48056-5_11). A dearer one is kept less and less often. A stop request ends the search
+/// with the best order so far. The same task gives the same order. Cost: a round costs some ten microseconds,
+/// and O(swaths) simple operations; with a limit O(swaths) for each move that is considered.
 FoundOrder searchedOrder(const OrderSearchTask& task, const JobContext& job);
 
 }  // namespace furrow

@@ -120,8 +120,8 @@ double RouteCosts::costOf(const Curve& way) const {
 
 bool RouteCosts::isLockedOut(SwathEnd leaving, SwathEnd entered) const {
     return isWrongWay_[entered] != 0 || isWrongWay_[otherEnd(leaving)] != 0 ||
-                        (next_[leaving] != leaving && next_[leaving] != entered) ||
-                        (before_[entered] != entered && before_[entered] != leaving);
+           (next_[leaving] != leaving && next_[leaving] != entered) ||
+           (before_[entered] != entered && before_[entered] != leaving);
 }
 
 bool RouteCosts::isWrongFirst(SwathEnd entered) const {

@@ -56,9 +56,9 @@ private:
     /// round. Ends that are nothing to each other lead to themselves.
     std::vector<SwathEnd> next_;
     std::vector<SwathEnd> before_;
-    std::vector<char> isWrongWay_;  ///< by the end that is entered
-    std::optional<SwathEnd> begin_;      ///< of route.corner
-    std::optional<std::size_t> first_;   ///< swath
+    std::vector<char> isWrongWay_;      ///< by the end that is entered
+    std::optional<SwathEnd> begin_;     ///< of route.corner
+    std::optional<std::size_t> first_;  ///< swath
     std::optional<std::size_t> last_;
     LinkCosts links_;
 };

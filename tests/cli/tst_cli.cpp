@@ -425,8 +425,8 @@ private slots:
 
     void bestPlanTellsWhatChoicesAreWorth() {
         const QTemporaryDir folder;
-        const QStringList line{"plan",      sampleField("bend"), "--machine", "cultivator",
-                               "--set",     "headland.passes=3", "--out",     folder.filePath("best")};
+        const QStringList line{"plan",  sampleField("bend"), "--machine", "cultivator",
+                               "--set", "headland.passes=3", "--out",     folder.filePath("best")};
         const Answer asked = furrowCli(line + QStringList{"--json"});
         QVERIFY2(asked.status == 0, asked.all());
         QVERIFY(!asked.json().contains("best"));

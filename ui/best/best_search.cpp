@@ -39,8 +39,8 @@ QList<QPointF> BestSearch::course() const {
     if (found_.empty()) {
         return line;
     }
-    const auto whole = static_cast<double>(
-        std::max<qint64>(1, state_ == State::Searching ? since_.elapsed() : tookMs_));
+    const auto whole =
+        static_cast<double>(std::max<qint64>(1, state_ == State::Searching ? since_.elapsed() : tookMs_));
     const Duration slowest = std::ranges::max_element(found_, {}, &Found::time)->time;
     const Duration quickest = std::ranges::min_element(found_, {}, &Found::time)->time;
     const auto height = [&](const Found& found) {
@@ -77,21 +77,20 @@ void BestSearch::start() {
     runner_.submit([this, search, source = field->source, machine = plan.machine, settings = plan.settings,
                     kept = choices_.kept()](const JobContext& job) -> JobRunner::Delivery {
         auto checked = Field::create(*source, job.part(0.0, 0.05));
-        auto best =
-            std::move(checked)
-                .and_then([&](Field&& made) {
-                    return planRequest(std::make_shared<const Field>(std::move(made)), machine, settings,
-                                       job.part(0.05, 0.05));
-                })
-                .and_then([&](const PlanRequest& request) {
-                    const auto onBetter = [this, search](const Settings& better, Duration time) {
-                        QMetaObject::invokeMethod(
-                            this, [this, search, better, time] { addFound(search, better, time); },
-                            Qt::QueuedConnection);
-                    };
-                    return bestPlan({.request = request, .kept = kept, .onBetter = onBetter},
-                                    job.part(0.05, 1.0));
-                });
+        auto best = std::move(checked)
+                        .and_then([&](Field&& made) {
+                            return planRequest(std::make_shared<const Field>(std::move(made)), machine,
+                                               settings, job.part(0.05, 0.05));
+                        })
+                        .and_then([&](const PlanRequest& request) {
+                            const auto onBetter = [this, search](const Settings& better, Duration time) {
+                                QMetaObject::invokeMethod(
+                                    this, [this, search, better, time] { addFound(search, better, time); },
+                                    Qt::QueuedConnection);
+                            };
+                            return bestPlan({.request = request, .kept = kept, .onBetter = onBetter},
+                                            job.part(0.05, 1.0));
+                        });
         return [this, search, best = std::move(best)] {
             if (search == search_) {
                 finish(best);
@@ -133,8 +132,9 @@ void BestSearch::cancel() {
 }
 
 void BestSearch::take() {
-    const std::optional<Settings> settings =
-        last_ ? last_ : isBetter() ? std::optional{found_.back().settings} : std::nullopt;
+    const std::optional<Settings> settings = last_        ? last_
+                                             : isBetter() ? std::optional{found_.back().settings}
+                                                          : std::nullopt;
     cancel();
     if (settings) {
         const Project& project = *document_.project();

@@ -34,9 +34,8 @@ Duration size(Duration difference) {
 void ChoiceTableModel::show(const ChoiceTable& table) {
     beginResetModel();
     rows_.clear();
-    std::ranges::copy_if(table.tried, std::back_inserter(rows_), [](const TriedChoice& tried) {
-        return tried.worth != TriedChoice::Worth::Behind;
-    });
+    std::ranges::copy_if(table.tried, std::back_inserter(rows_),
+                         [](const TriedChoice& tried) { return tried.worth != TriedChoice::Worth::Behind; });
     std::ranges::stable_sort(rows_, [](const TriedChoice& a, const TriedChoice& b) {
         return isTaken(a) != isTaken(b) ? isTaken(a)
                : isTaken(a)             ? a.difference > b.difference
@@ -68,9 +67,8 @@ QVariant ChoiceTableModel::data(const QModelIndex& index, int role) const {
         case TextRole: return furrow::shown(row.text);
         case WorthRole: {
             if (isTaken(row)) {
-                return row.difference > Duration{}
-                           ? tr("saves %1").arg(exactDurationText(row.difference))
-                           : tr("mends the plan");
+                return row.difference > Duration{} ? tr("saves %1").arg(exactDurationText(row.difference))
+                                                   : tr("mends the plan");
             }
             if (size(row.difference) < kSame) {
                 return tr("the same time");

@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-/// What each choice of the best plan is worth: first what was taken, then the alternatives that came near, the
-/// nearest first.
+/// What each choice of the best plan is worth: first what was taken, then the alternatives that came near,
+/// the nearest first.
 class ChoiceTableModel : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT

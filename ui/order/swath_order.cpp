@@ -165,6 +165,7 @@ int SwathOrder::segmentOf(int row) const {
 
 void SwathOrder::searchOthers() {
     std::vector<RouteStep> locked;
+    locked.reserve(pointed_.size());
     for (const std::size_t swath : pointed_) {
         locked.push_back(steps_[static_cast<std::size_t>(rowOf(swath))]);
     }

@@ -171,12 +171,9 @@ Json choicesJson(const ChoiceTable& table) {
             others.push_back(std::move(json));
         }
     }
-    return {{"time_asked_s", table.asked.si()},
-            {"problems_asked", table.askedProblems},
-            {"time_s", table.best.si()},
-            {"alternatives", table.alternatives},
-            {"taken", std::move(taken)},
-            {"others", std::move(others)}};
+    return {{"time_asked_s", table.asked.si()}, {"problems_asked", table.askedProblems},
+            {"time_s", table.best.si()},        {"alternatives", table.alternatives},
+            {"taken", std::move(taken)},        {"others", std::move(others)}};
 }
 
 }  // namespace

@@ -169,8 +169,9 @@ void TestBestPlan::safetyAndAgronomyStay() {
             }
             return isGiven(choice, one);
         });
-        QVERIFY2(mayChange || (*best)->request.settings.value(*parameter) == request.settings.value(*parameter),
-                 std::string{key}.c_str());
+        QVERIFY2(
+            mayChange || (*best)->request.settings.value(*parameter) == request.settings.value(*parameter),
+            std::string{key}.c_str());
     }
     for (const char* key : {"headland.when", "route.traversal", "path.method", "path.stay_inside",
                             "headland.driven", "headland.finish", "swaths.min_length_m"}) {
@@ -194,13 +195,11 @@ void TestBestPlan::tellsEachBetterPlan() {
     const PlanRequest request = requestOf(sample("bend"), "cultivator");
     std::vector<double> times;
     Settings last;
-    const auto best = bestPlan({.request = request,
-                                .kept = {},
-                                .onBetter =
-                                    [&](const Settings& settings, Duration time) {
-                                        times.push_back(time.si());
-                                        last = settings;
-                                    }});
+    const auto best =
+        bestPlan({.request = request, .kept = {}, .onBetter = [&](const Settings& settings, Duration time) {
+                      times.push_back(time.si());
+                      last = settings;
+                  }});
     VERIFY_RESULT(best);
     QVERIFY(times.size() > 1);
     QVERIFY(std::ranges::is_sorted(times, std::greater{}));
@@ -210,10 +209,10 @@ void TestBestPlan::tellsEachBetterPlan() {
 
 void TestBestPlan::sameOnAnyNumberOfThreads() {
     const PlanRequest request = requestOf(sample("bend"), "cultivator");
-    const auto one =
-        bestPlan({.request = request, .kept = {}, .onBetter = {}}, {.stop = {}, .progress = {}, .threads = 1});
-    const auto four =
-        bestPlan({.request = request, .kept = {}, .onBetter = {}}, {.stop = {}, .progress = {}, .threads = 4});
+    const auto one = bestPlan({.request = request, .kept = {}, .onBetter = {}},
+                              {.stop = {}, .progress = {}, .threads = 1});
+    const auto four = bestPlan({.request = request, .kept = {}, .onBetter = {}},
+                               {.stop = {}, .progress = {}, .threads = 4});
     VERIFY_RESULT(one);
     VERIFY_RESULT(four);
     QVERIFY((*one)->path == (*four)->path);

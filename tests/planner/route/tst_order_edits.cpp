@@ -15,6 +15,7 @@ namespace {
 
 std::vector<RouteStep> toAndFro(std::size_t count) {
     std::vector<RouteStep> steps;
+    steps.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         steps.push_back({.swath = i, .reversed = i % 2 == 1});
     }
@@ -53,8 +54,8 @@ private slots:
     void directionsAreTheBest() {
         std::mt19937_64 random{31};
         for (int i = 0; i < 50; ++i) {
-            const SwathSet swaths = test::swathsOf(
-                {test::rectangle(30.0 + static_cast<double>(random() % 90), 40.0)}, 5.0, 0.0);
+            const SwathSet swaths =
+                test::swathsOf({test::rectangle(30.0 + static_cast<double>(random() % 90), 40.0)}, 5.0, 0.0);
             const std::size_t count = swaths.swaths.size();
             std::vector<RouteStep> steps = toAndFro(count);
             std::ranges::shuffle(steps, random);

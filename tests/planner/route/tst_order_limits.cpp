@@ -71,19 +71,18 @@ struct Tracks {
     std::vector<double> shift;
 
     LinkCosts::Functions costs() const {
-        return {.link =
-                    [this](SwathEnd leaving, SwathEnd entered) {
-                        const double apart =
-                            std::abs(static_cast<double>(leaving / 2) - static_cast<double>(entered / 2));
-                        const double along =
-                            leaving % 2 == entered % 2 ? 0.0 : 20.0;  // from the far end back
-                        return (apart < 2.0 ? 9.0 - 3.0 * apart : apart) + along +
-                               0.2 * std::abs(shift[leaving / 2] - shift[entered / 2]);
-                    },
-                .atLeast = {},
-                .begin = {},
-                .finish = {},
-                .fitting = {}};
+        return {
+            .link =
+                [this](SwathEnd leaving, SwathEnd entered) {
+                    const int apart = std::abs(static_cast<int>(leaving / 2) - static_cast<int>(entered / 2));
+                    const double along = leaving % 2 == entered % 2 ? 0.0 : 20.0;  // from the far end back
+                    return (apart < 2 ? 9.0 - 3.0 * apart : 1.0 * apart) + along +
+                           0.2 * std::abs(shift[leaving / 2] - shift[entered / 2]);
+                },
+            .atLeast = {},
+            .begin = {},
+            .finish = {},
+            .fitting = {}};
     }
 };
 
@@ -195,13 +194,11 @@ private slots:
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("value");
         for (const double height : {30.0, 100.0}) {
-            for (const auto& [key, value] : {std::pair{"route.open_strips", "0"},
-                                             std::pair{"route.open_strips", "1"},
-                                             std::pair{"route.open_strips", "2"},
-                                             std::pair{"route.first", "4"},
-                                             std::pair{"route.first", "6"},
-                                             std::pair{"route.last", "3"},
-                                             std::pair{"route.last", "1"}}) {
+            for (const auto& [key, value] :
+                 {std::pair{"route.open_strips", "0"}, std::pair{"route.open_strips", "1"},
+                  std::pair{"route.open_strips", "2"}, std::pair{"route.first", "4"},
+                  std::pair{"route.first", "6"}, std::pair{"route.last", "3"},
+                  std::pair{"route.last", "1"}}) {
                 QTest::addRow("%g m, %s %s", height, key, value) << height << key << value;
             }
         }

@@ -53,9 +53,9 @@ private slots:
         openField();
         Settings given;
         given.set(**findParameter("headland.passes"), 5.0).value();
-        session_->document()->change(
-            [] { return QString{}; },
-            withPlan(*session_->document()->project(), session_->document()->project()->plan().machine, given));
+        session_->document()->change([] { return QString{}; },
+                                     withPlan(*session_->document()->project(),
+                                              session_->document()->project()->plan().machine, given));
         QTRY_VERIFY_WITH_TIMEOUT(session_->planning()->state() == PlanState::Ready, kPatienceMs);
         QTest::keyClick(window_, Qt::Key_B, Qt::ControlModifier);
         QTRY_VERIFY(shown("best.start"));
@@ -68,8 +68,7 @@ private slots:
         click("best.start");
         QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kPatienceMs);
         for (int row = 0; row < search().table()->rowCount(); ++row) {
-            const QString choice =
-                search().table()->index(row).data(ChoiceTableModel::ChoiceRole).toString();
+            const QString choice = search().table()->index(row).data(ChoiceTableModel::ChoiceRole).toString();
             QVERIFY2(choice != QStringLiteral("Headland") && choice != QStringLiteral("Heading"),
                      qPrintable(choice));
         }

@@ -70,7 +70,11 @@ protected:
     void waitForRest(const QQuickItem& moving) const {
         QPoint last{-1, -1};
         int still = 0;
-        QTRY_VERIFY((still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0) >= 4);
+        const auto isStill = [&] {
+            still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0;
+            return still >= 4;
+        };
+        QTRY_VERIFY(isStill());
     }
     void click(const QString& name) {
         QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), qPrintable(name));
