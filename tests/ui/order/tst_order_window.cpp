@@ -34,9 +34,6 @@ private:
         waitForPlan();
         item("stepsPanel")->setProperty("openStep", QStringLiteral("route"));
         QTRY_VERIFY(item("order.begin") != nullptr);
-        waitForRest(*item("order.begin"));
-        // As by the Tab key: what has the keys is brought into view.
-        item("order.begin")->forceActiveFocus(Qt::TabFocusReason);
         click("order.begin");
         QTRY_VERIFY(shown("order.row.3"));
         waitForRest(*item("order.row.3"));

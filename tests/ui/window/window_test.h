@@ -76,8 +76,18 @@ protected:
         };
         QTRY_VERIFY(isStill());
     }
+    /// Scrolls until an item can be seen, as its user would.
+    static void scrollTo(QQuickItem* wanted) {
+        for (QQuickItem* above = wanted->parentItem(); above != nullptr; above = above->parentItem()) {
+            if (above->metaObject()->indexOfMethod("bringIntoView(QQuickItem*)") >= 0) {
+                QMetaObject::invokeMethod(above, "bringIntoView", Q_ARG(QQuickItem*, wanted));
+            }
+        }
+    }
     void click(const QString& name) {
         QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), qPrintable(name));
+        waitForRest(*item(name));
+        scrollTo(item(name));
         waitForRest(*item(name));
         QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*item(name)));
     }
