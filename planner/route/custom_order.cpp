@@ -11,13 +11,6 @@ namespace furrow {
 
 namespace {
 
-Error refused(const Parameter& parameter, Message what, Message remedy) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = std::string{parameter.key},
-            .remedy = std::move(remedy)};
-}
-
 /// The first few of these numbers as text.
 Message listed(const std::vector<int>& numbers) {
     constexpr std::size_t kShown = 5;
@@ -57,6 +50,13 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
 constexpr const Parameter* kParameters[] = {&kOrder};
 
 }  // namespace
+
+Error refused(const Parameter& parameter, Message what, Message remedy) {
+    return {.code = ErrorCode::InputRefused,
+            .what = std::move(what),
+            .where = std::string{parameter.key},
+            .remedy = std::move(remedy)};
+}
 
 Result<std::vector<RouteStep>> givenSteps(const Settings& settings, const Parameter& parameter,
                                           std::size_t swathCount) {

@@ -162,13 +162,6 @@ EndOrder withNamedEnds(EndOrder order, const Settings& settings) {
     return order;
 }
 
-Error refused(const Parameter& parameter, Message what, Message remedy) {
-    return {.code = ErrorCode::InputRefused,
-            .what = std::move(what),
-            .where = std::string{parameter.key},
-            .remedy = std::move(remedy)};
-}
-
 /// InputRefused: a number that no swath has.
 Result<void> checkNamed(const RouteTask& task) {
     const auto count = static_cast<int>(task.swaths.swaths.size());
