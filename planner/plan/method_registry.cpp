@@ -211,11 +211,12 @@ const Method<TurnPlanner>& turnMethod(const Settings& settings) {
     return chosenMethod(kTurnMethods, registry().path, settings);
 }
 
-std::vector<const Method<RoutePlanner>*> plainPatterns() {
-    std::vector<const Method<RoutePlanner>*> plain;
-    std::ranges::copy_if(kRouteMethods, std::back_inserter(plain),
-                         [](const auto* method) { return method->traits.isPlain; });
-    return plain;
+std::vector<const Method<RoutePlanner>*> routePatterns() {
+    std::vector<const Method<RoutePlanner>*> patterns;
+    std::ranges::copy_if(kRouteMethods, std::back_inserter(patterns), [](const auto* method) {
+        return !method->traits.isByTime && !method->traits.isByHand;
+    });
+    return patterns;
 }
 
 }  // namespace furrow

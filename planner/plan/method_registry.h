@@ -48,7 +48,8 @@ const Method<Decomposer>& decompositionMethod(const Settings& settings);
 const Method<RoutePlanner>& routeMethod(const Settings& settings);
 const Method<TurnPlanner>& turnMethod(const Settings& settings);
 
-/// The order of the swaths in which drivers work: patterns with few long ways.
-std::vector<const Method<RoutePlanner>*> plainPatterns();
+/// The orders of swaths that follow a pattern. Plain ones are those that every driver knows, with few long
+/// ways.
+std::vector<const Method<RoutePlanner>*> routePatterns();
 
 }  // namespace furrow

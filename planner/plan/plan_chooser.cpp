@@ -25,6 +25,9 @@ constexpr Angle kSameHeading = degrees(0.01);
 constexpr std::size_t kMostHeadings = 2;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
 constexpr double kNearPattern = 0.04;
+// Of so few swaths all patterns are driven: where the headland takes most of the time, the order that leads
+// best into it and out of it may be any of them.
+constexpr std::size_t kFewSwaths = 40;
 // A plan in another order, or along another heading, that takes this many times as long as the best one may
 // still become the best with corners and an order of its own. Those of a heading change more.
 constexpr double kNearInOrder = 1.02;
@@ -213,7 +216,10 @@ Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, c
     const RouteCosts costs{task};
     const double nearS =
         costs.links().of(endOrder(taken.steps)) + kNearPattern * plan.driven->path.duration().si();
-    for (const Method<RoutePlanner>* const pattern : plainPatterns()) {
+    for (const Method<RoutePlanner>* const pattern : routePatterns()) {
+        if (!pattern->traits.isPlain && taken.steps.size() > kFewSwaths) {
+            continue;
+        }
         const auto route = pattern->run(task, job);
         if (!route) {
             return std::unexpected(route.error());

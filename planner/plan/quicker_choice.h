@@ -19,7 +19,8 @@ struct QuickestChoice {
 ///
 /// - headings, for searches by time: the longest edge, and more headings of the search if the plan cannot be
 /// driven.
-/// - orders, for `route.method=optimised`: boustrophedon and snake, if their estimate is close.
+/// - orders, for `route.method=optimised`: boustrophedon and snake, of few swaths all patterns, if their
+///   estimate is close.
 /// - corners of the headland, for `headland.corner=quickest`: all kinds, if the plan can be driven.
 /// - one width for all edges, for `headland.method=per-edge`, and one heading for all cells, for
 ///   `decomposition.heading=per-cell`. Each is compared with its own best heading, order and corners. A route

@@ -7,7 +7,7 @@ namespace furrow {
 
 OpenStripLimit::OpenStripLimit(std::size_t most, const std::vector<std::vector<std::size_t>>& cells,
                                std::size_t swathCount)
-    : most_{most}, place_(swathCount), cell_(swathCount) {
+    : most_{most}, place_(swathCount, 0), cell_(swathCount, 0) {
     std::vector<std::size_t> all(swathCount);
     std::iota(all.begin(), all.end(), std::size_t{0});
     const std::vector<std::vector<std::size_t>> one{all};
@@ -20,13 +20,22 @@ OpenStripLimit::OpenStripLimit(std::size_t most, const std::vector<std::vector<s
         }
         ++places_;
     }
+    cells_ = parts.size();
+    // A swath of no cell has no neighbours.
+    for (std::size_t swath = 0; swath < swathCount; ++swath) {
+        if (place_[swath] == 0) {
+            place_[swath] = places_;
+            cell_[swath] = cells_++;
+            places_ += 2;
+        }
+    }
 }
 
 /// Calls use(open strips) after each step, until it returns false.
 template <class Use>
 void OpenStripLimit::forEachStep(const EndOrder& order, const Use& use) const {
     std::vector<char> isDriven(places_ + 1, 0);
-    std::vector<std::size_t> pieces(places_, 0);  // by cell
+    std::vector<std::size_t> pieces(cells_, 0);
     std::size_t open = 0;
     for (const SwathEnd end : order) {
         const std::size_t swath = end / 2;

@@ -30,6 +30,7 @@ private:
     std::size_t most_;
     std::vector<std::size_t> place_;  ///< of each swath, over all cells; a gap of one between cells
     std::vector<std::size_t> cell_;
+    std::size_t cells_ = 0;
     std::size_t places_ = 0;
 };
 

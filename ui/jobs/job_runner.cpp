@@ -1,5 +1,7 @@
 #include "ui/jobs/job_runner.h"
 
+#include <QSignalBlocker>
+
 #include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -39,6 +41,8 @@ JobRunner::JobRunner(QObject* parent) : QObject{parent} {
 }
 
 JobRunner::~JobRunner() {
+    // Whoever listens may be half gone.
+    const QSignalBlocker quiet{this};
     cancel();
     thread_.request_stop();
     wake_.notify_all();

@@ -41,7 +41,7 @@ public:
     };
 
     explicit JobRunner(QObject* parent = nullptr);
-    /// Stops what runs and waits for it.
+    /// Stops what runs and waits for it. Says nothing of it.
     ~JobRunner() override;
 
     void submit(Work work, Replace replace = Replace::Now);

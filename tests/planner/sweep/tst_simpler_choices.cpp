@@ -43,10 +43,17 @@ struct Simpler {
     const char* simpler;
 };
 constexpr Simpler kSimpler[] = {
-    {"swaths.method", nullptr, "longest-edge"},  {"route.method", nullptr, "boustrophedon"},
-    {"route.method", nullptr, "snake"},          {"headland.corner", nullptr, "rounded"},
-    {"headland.corner", nullptr, "loop"},        {"headland.corner", nullptr, "reverse"},
-    {"headland.method", "per-edge", "constant"}, {"decomposition.heading", "per-cell", "common"},
+    {"swaths.method", nullptr, "longest-edge"},
+    {"route.method", nullptr, "boustrophedon"},
+    {"route.method", nullptr, "snake"},
+    {"route.method", nullptr, "spiral"},
+    {"route.method", nullptr, "skip"},
+    {"route.method", nullptr, "racetrack"},
+    {"headland.corner", nullptr, "rounded"},
+    {"headland.corner", nullptr, "loop"},
+    {"headland.corner", nullptr, "reverse"},
+    {"headland.method", "per-edge", "constant"},
+    {"decomposition.heading", "per-cell", "common"},
 };
 
 /// Single changes to a best plan.
@@ -137,10 +144,12 @@ void TestSimplerChoices::areNotQuicker_data() {
     QTest::addColumn<QString>("machine");
     const QString share = qEnvironmentVariable("FURROW_SIMPLER");
     if (share.isEmpty()) {
-        for (const char* name : {"home_field", "bend", "slanted_field"}) {
-            QTest::addRow("%s agbot", name)
-                << QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/%1.geojson").arg(name)
-                << QString{} << "agbot";
+        for (const char* machine : {"agbot", "cultivator"}) {
+            for (const char* name : {"home_field", "bend", "slanted_field"}) {
+                QTest::addRow("%s %s", name, machine)
+                    << QStringLiteral(FURROW_SOURCE_DIR "/resources/sample_fields/%1.geojson").arg(name)
+                    << QString{} << machine;
+            }
         }
         return;
     }

@@ -45,6 +45,24 @@ private slots:
         QVERIFY(worker != gui);
         QTRY_VERIFY(!runner.isBusy());
     }
+    // Objects that listen are taken down in any order.
+    void endsWithoutASignal() {
+        std::atomic<bool> release = false;
+        std::atomic<int> started = 0;
+        std::atomic<int> delivered = 0;
+        int told = 0;
+        {
+            JobRunner runner;
+            runner.submit(blocking(release, started, delivered));
+            QTRY_COMPARE(started.load(), 1);
+            for (const auto signal :
+                 {&JobRunner::busyChanged, &JobRunner::slowChanged, &JobRunner::progressChanged}) {
+                connect(&runner, signal, this, [&told] { ++told; });
+            }
+        }
+        QCOMPARE(told, 0);
+        QCOMPARE(delivered.load(), 0);
+    }
     void latestWins() {
         JobRunner runner;
         std::atomic<bool> release = false;
