@@ -29,6 +29,7 @@ private slots:
         QTRY_VERIFY(shown("best.start"));
         waitForRest(*item("best.start"));
         picture(QStringLiteral("best-choices"));
+        QTRY_VERIFY(item("best.start")->hasActiveFocus());
         QTest::keyClick(window_, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kPatienceMs);
         QVERIFY(search().table()->rowCount() > 0);
@@ -39,6 +40,7 @@ private slots:
         picture(QStringLiteral("best-table"));
         // Nothing has changed until it is taken.
         QCOMPARE(settings(), Settings{});
+        QTRY_VERIFY(item("best.take")->hasActiveFocus());
         QTest::keyClick(window_, Qt::Key_Return);
         QTRY_VERIFY(!shown("best.take"));
         QVERIFY(!(settings() == Settings{}));
