@@ -62,6 +62,14 @@ std::string minutesSeconds(Duration duration) {
                              : std::format("{} min {:02} s", wholeSeconds / 60, wholeSeconds % 60);
 }
 
+std::string timeBeside(Duration difference) {
+    if (std::lround(difference.si()) == 0) {
+        return "the same time";
+    }
+    return difference > Duration{} ? minutesSeconds(difference) + " slower"
+                                   : minutesSeconds(-difference) + " quicker";
+}
+
 /// What was changed, then what the nearest alternatives would cost.
 void printChoices(const ChoiceTable& table) {
     std::println("Best      {} of {} after {} alternatives{}", minutesSeconds(table.best),
@@ -76,10 +84,7 @@ void printChoices(const ChoiceTable& table) {
                                                            : std::string{"fewer problems"});
                 break;
             case TriedChoice::Worth::Slower:
-                std::println(
-                    "          {}: {} {}", tried.text.text(),
-                    minutesSeconds(tried.difference < Duration{} ? -tried.difference : tried.difference),
-                    tried.difference < Duration{} ? "quicker" : "slower");
+                std::println("          {}: {}", tried.text.text(), timeBeside(tried.difference));
                 break;
             case TriedChoice::Worth::Behind: ++behind; break;
         }
@@ -161,7 +166,7 @@ void printFirstPlan(const PlanRequest& request, const JobContext& job) {
                  kilometres(plan.path.length()), hoursMinutes(plan.path.duration()));
 }
 
-/// What is given here stays.
+/// What is given stays, here or by the plan of a project.
 std::vector<std::string_view> givenChoices(const Settings& settings) {
     std::vector<std::string_view> ids;
     for (const PlanChoice& choice : planChoices()) {
@@ -209,11 +214,11 @@ int runPlan(const PlanArguments& arguments) {
                 if (arguments.progress) {
                     printFirstPlan(request, job);
                 }
-                return arguments.best ? bestPlan({.request = request,
-                                                  .kept = givenChoices(choices->settings),
-                                                  .onBetter = {}},
-                                                 job.part(0.1, 0.8))
-                                      : makePlan(request, job.part(0.1, 0.8));
+                return arguments.best
+                           ? bestPlan(
+                                 {.request = request, .kept = givenChoices(task->settings), .onBetter = {}},
+                                 job.part(0.1, 0.8))
+                           : makePlan(request, job.part(0.1, 0.8));
             })
             .and_then([&job](const auto& made) { return withAdvice(made, job.part(0.8, 0.95)); });
     if (!plan) {
@@ -255,9 +260,10 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
             "--terminal", arguments->terminal,
             "Write what this terminal takes, as it lies on its stick (see furrow-cli list terminals)")
         ->excludes("--format");
-    plan->add_flag("--best", arguments->best,
-                   "Try the alternatives of all choices that are not given here, take the quickest drivable "
-                   "plan, and tell what each choice is worth");
+    plan->add_flag(
+        "--best", arguments->best,
+        "Try the alternatives of all choices that are not given, here or by a project's plan, take the quickest drivable "
+        "plan, and tell what each choice is worth");
     plan->add_flag("--progress", arguments->progress,
                    "Tell on standard error how far planning is, line by line, and a draft at once");
     addExportOptions(*plan, arguments->options, true);

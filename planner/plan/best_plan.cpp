@@ -31,7 +31,7 @@ constexpr int kMostRounds = 4;
 constexpr double kWorthIt = 0.001;
 constexpr std::size_t kMostHeadings = 6;
 constexpr Angle kSameHeading = degrees(0.05);
-// Plans of which the first alternatives take about this many rounds tell the progress.
+// That most searches take; the progress counts on it.
 constexpr double kUsualRounds = 2.0;
 
 constexpr PlanChoice kHeadland{.id = "headland", .name = "Headland"};
@@ -157,12 +157,8 @@ std::vector<Alternative> cells(const BestSoFar& best) {
 
 std::vector<Alternative> orders(const BestSoFar& best) {
     std::vector<Alternative> found = others(best, "route.method", kSwathOrder.name);
-    std::erase_if(found, [](const Alternative& each) {
-        const std::string& id = each.changes.front().value;
-        const auto routes = kRouteMethods;
-        return (*std::ranges::find(routes, id, [](const auto* method) { return method->info.id; }))
-            ->traits.isByHand;
-    });
+    std::erase_if(
+        found, [](const Alternative& each) { return each.changes.front().value == kCustomMethod.info.id; });
     return found;
 }
 

@@ -73,8 +73,10 @@ void SwathOrder::show() {
     }
     const auto before = std::exchange(plan_, shown_.plan());
     std::vector<RouteStep> steps = plan_ ? plan_->route.steps : std::vector<RouteStep>{};
-    if (before && plan_ && before->swaths.swaths.size() != plan_->swaths.swaths.size()) {
+    // Numbers of other swaths mean nothing here.
+    if (!before || !plan_ || before->swaths.swaths.size() != plan_->swaths.swaths.size()) {
         pointed_.clear();
+        emit currentChanged();
     }
     const std::size_t swath = current_ >= 0 && current_ < rowCount()
                                   ? steps_[static_cast<std::size_t>(current_)].swath

@@ -113,6 +113,11 @@ private slots:
         waitForPlan();
         QTRY_COMPARE(std::abs(at(20) - at(3)), std::ptrdiff_t{1});
         QTRY_COMPARE(std::abs(at(9) - at(20)), std::ptrdiff_t{1});
+        // Without the field there is nothing to search.
+        QCOMPARE(order().pointedCount(), 3);
+        session_->farm()->removeField();
+        QTRY_COMPARE(order().rowCount(), 0);
+        QCOMPARE(order().pointedCount(), 0);
     }
 };
 
