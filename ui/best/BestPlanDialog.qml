@@ -141,10 +141,20 @@ ThemedDialog {
         visible: root.done
         text: qsTr("%n alternative(s) were planned.", "", root.search.alternatives)
     }
-    ChoiceTable {
-        width: parent.width
+    // Rows that a small window has no room for scroll; the buttons stay.
+    ScrollArea {
+        width: parent.width + 16
+        height: Math.min(contentHeight, Math.max(96, (root.parent ? root.parent.height : 800) - 340))
         visible: root.done
-        table: root.search.table
+        contentHeight: choices.implicitHeight
+
+        ChoiceTable {
+            id: choices
+
+            x: 6
+            width: parent.width - 22
+            table: root.search.table
+        }
     }
     NoticeBar {
         objectName: "best.failure"

@@ -58,6 +58,12 @@ private slots:
         QCOMPARE(settings().choice(*stageMethod("route")), std::string{"custom"});
         QCOMPARE(order().current(), 3);
         picture(QStringLiteral("order-dragged"));
+        QObject* const colours = engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme");
+        for (const auto& [theme, name] : {std::pair{2, "order-dark"}, std::pair{3, "order-sunlight"}}) {
+            colours->setProperty("forced", theme);
+            picture(QString::fromLatin1(name));
+        }
+        colours->setProperty("forced", 0);
         // Back in one step.
         QTest::keyClick(window_, Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(settings(), Settings{});
