@@ -126,6 +126,17 @@ private slots:
                  expectedPath(*project_.fields[0]->source, findMachine("agbot").value(), settings));
     }
 
+    // The swaths of the spring plan run north; the search for the best plan leaves them so.
+    void theBestPlanKeepsWhatThePlanHasSet() {
+        const Answer answer = furrowCli({"plan", farm_, "--field-id", "1", "--plan-name", "Spring", "--best",
+                                         "--out", at("best"), "--json"});
+        QVERIFY2(answer.status == 0, answer.all());
+        const QJsonObject settings = answer.json()["settings"].toObject();
+        QCOMPARE(settings["swaths.method"].toString(), QStringLiteral("fixed"));
+        QCOMPARE(settings["swaths.angle_deg"].toDouble(), 90.0);
+        QVERIFY(answer.json()["best"].toObject()["alternatives"].toInt() > 0);
+    }
+
     // Of a field that is not worked on the first plan.
     void anotherField() {
         const Answer answer =
