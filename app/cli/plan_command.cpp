@@ -10,6 +10,7 @@
 #include "planner/plan/advice.h"
 #include "planner/plan/best_plan.h"
 #include "planner/plan/draft.h"
+#include "planner/plan/explanation.h"
 #include "planner/project/field_tasks.h"
 #include "planner/units/angle.h"
 
@@ -36,6 +37,7 @@ struct PlanArguments {
     PlanningArguments planning;
     bool progress = false;
     bool best = false;
+    bool explain = false;
 };
 
 // More would push the plan itself off the screen.
@@ -93,6 +95,23 @@ void printChoices(const ChoiceTable& table) {
         std::println("          {} more than 6 % slower, or not drivable",
                      counted(static_cast<long long>(behind), "other is", "others are"));
     }
+}
+
+/// Why each step came out as it did.
+Result<void> printReasons(const Plan& plan, const JobContext& job) {
+    const auto curve = headingCurve(plan, job);
+    if (!curve) {
+        return std::unexpected(curve.error());
+    }
+    const auto reasons = explanations(plan, *curve, job);
+    if (!reasons) {
+        return std::unexpected(reasons.error());
+    }
+    std::println("Why");
+    for (const Explanation& reason : *reasons) {
+        std::println("  {:<14} {}", reason.step, reason.text.text());
+    }
+    return {};
 }
 
 void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* terminal, bool quiet) {
@@ -240,6 +259,11 @@ int runPlan(const PlanArguments& arguments) {
     } else {
         printPlan(**plan, *written, terminal ? &*terminal : nullptr, planning.quiet);
     }
+    if (arguments.explain) {
+        if (const auto told = printReasons(**plan, {.stop = job.stop, .threads = job.threads}); !told) {
+            return failWith(told.error());
+        }
+    }
     return (*plan)->drivable() ? kDrivable : kBlockingFinding;
 }
 
@@ -264,6 +288,9 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
         "--best", arguments->best,
         "Try the alternatives of all choices that are not given, here or by a project's plan, take the quickest drivable "
         "plan, and tell what each choice is worth");
+    plan->add_flag("--explain", arguments->explain,
+                   "Tell why each step came out as it did, with what other headings and orders would take")
+        ->excludes("--json");
     plan->add_flag("--progress", arguments->progress,
                    "Tell on standard error how far planning is, line by line, and a draft at once");
     addExportOptions(*plan, arguments->options, true);

@@ -24,8 +24,6 @@ namespace {
 constexpr double kWorthwhile = 0.02;
 // Headings that differ by less are one.
 constexpr double kSameDeg = 1.0;
-// What is missed is worked piecemeal.
-constexpr double kPiecemealFactor = 5.0;
 // No time is worth more of the mainland than this, which is what measuring may be wrong by.
 constexpr double kMostLost = 0.001;
 // Pieces of a cell that are smaller, in squares of the operating width, are left to the neighbours' edges.

@@ -9,6 +9,9 @@ namespace furrow {
 /// the missed area added as metres, since a heading that leaves more out drives less.
 enum class SwathObjective { Time, Count, Length, Coverage, Overlap };
 
+/// Land that no swath covers takes so many times as long as in swaths: it is worked in small pieces.
+inline constexpr double kPiecemealFactor = 5.0;
+
 /// Every objective of one heading.
 struct HeadingFigures {
     int count = 0;          ///< swaths
@@ -17,7 +20,7 @@ struct HeadingFigures {
     Area overlap;           ///< of the mainland, covered at least twice
     Length missed;          ///< area not covered, as metres of a full-width swath
     /// Time to work the mainland to and fro: swaths, turns between them, and the missed area. The missed area
-    /// counts as if worked in pieces at a fifth of the pace. Only if time is the objective.
+    /// counts as if worked in pieces (kPiecemealFactor). Only if time is the objective.
     Duration time;
 };
 

@@ -16,8 +16,6 @@ constexpr double kShortestSwathM = 1e-3;
 constexpr double kMostTracks = 1e6;
 // With fewer vertices all of them are rotated as quickly as they are searched.
 constexpr std::size_t kManyVertices = 400;
-// Land that no swath covers costs its own time. Worked in small pieces, it costs 5 times as much.
-constexpr double kPiecemealFactor = 5.0;
 
 /// A lower bound of the turn between opposite tracks, over all shifts of their ends along the track. A shift
 /// can be driven straight, so the length of the curve changes by no more than the shift. The minimum over a

@@ -26,6 +26,7 @@ QtObject {
     signal saveAsRequested()
     signal exportRequested()
     signal bestPlanRequested()
+    signal findingRequested(by: int)
     signal renameFieldRequested()
     signal addPlanRequested()
     signal renamePlanRequested()
@@ -305,6 +306,24 @@ QtObject {
             keywords: qsTr("quickest optimise compare alternatives")
             enabled: root.farm.hasField
             onTriggered: root.bestPlanRequested()
+        },
+        Command {
+            objectName: "command.nextFinding"
+            group: root.planGroup
+            text: qsTr("Next finding")
+            shortcut: "F8"
+            keywords: qsTr("problem check step through")
+            enabled: root.shown.hasPlan
+            onTriggered: root.findingRequested(1)
+        },
+        Command {
+            objectName: "command.previousFinding"
+            group: root.planGroup
+            text: qsTr("Previous finding")
+            shortcut: "Shift+F8"
+            keywords: qsTr("problem check step back")
+            enabled: root.shown.hasPlan
+            onTriggered: root.findingRequested(-1)
         },
         Command {
             objectName: "command.fit"

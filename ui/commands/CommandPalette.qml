@@ -3,11 +3,15 @@ import QtQuick
 import QtQuick.Templates as T
 import Furrow.Controls
 
-/// Every command by its name: type a part of it, arrows choose, Enter runs.
+/// Every command, setting and machine by its name: type a part of it, arrows choose, Enter runs.
 T.Popup {
     id: root
 
     required property list<Command> commands
+    /// Settings and what else may be gone to: name, group, keywords, and what `entryChosen` needs. Only found
+    /// by what is typed.
+    property var entries: []
+    signal entryChosen(entry: var)
     /// As many as there is room for.
     readonly property int rows: Math.max(2, Math.min(9, Math.floor(((parent ? parent.height : 600) - y - 56 - 12 - 16) / 36)))
     readonly property var found: root.matching(field.text)
@@ -50,9 +54,9 @@ T.Popup {
             selectionColor: Theme.accent
             selectedTextColor: Theme.accentInk
             font { family: Theme.family; pixelSize: 15 }
-            placeholderText: qsTr("Search commands")
+            placeholderText: qsTr("Search commands and settings")
             placeholderTextColor: Theme.muted
-            Accessible.name: qsTr("Search commands")
+            Accessible.name: qsTr("Search commands and settings")
             onTextChanged: list.currentIndex = 0
             onAccepted: root.run(list.currentIndex)
             Keys.onDownPressed: list.incrementCurrentIndex()
@@ -92,15 +96,18 @@ T.Popup {
                 id: row
 
                 required property int index
-                required property Command modelData
+                /// A command, or an entry.
+                required property var modelData
+                readonly property bool runs: modelData.enabled ?? true
+                readonly property string name: modelData.text ?? modelData.name
 
                 objectName: "palette.row." + index
                 width: list.width
                 height: 36
                 highlighted: ListView.isCurrentItem
-                text: modelData.text
-                opacity: modelData.enabled ? 1 : 0.45
-                Accessible.name: qsTr("%1: %2").arg(modelData.group).arg(modelData.text)
+                text: name
+                opacity: runs ? 1 : 0.45
+                Accessible.name: qsTr("%1: %2").arg(modelData.group).arg(name)
                 onClicked: root.run(index)
                 onHoveredChanged: {
                     if (hovered)
@@ -116,14 +123,14 @@ T.Popup {
                 contentItem: Item {
                     BodyText {
                         anchors { left: parent.left; leftMargin: 12; right: keys.left; rightMargin: 12; verticalCenter: parent.verticalCenter }
-                        text: row.modelData.text
+                        text: row.name
                         elide: Text.ElideRight
                     }
                     Caption {
                         id: keys
 
                         anchors { right: parent.right; rightMargin: 12; verticalCenter: parent.verticalCenter }
-                        text: row.modelData.keysText.length > 0 ? row.modelData.keysText : row.modelData.group
+                        text: row.modelData.keysText ? row.modelData.keysText : row.modelData.group
                     }
                 }
             }
@@ -131,26 +138,32 @@ T.Popup {
         BodyText {
             anchors { left: parent.left; leftMargin: 48; top: parent.top; topMargin: 70 }
             visible: list.count === 0
-            text: qsTr("There is no such command")
+            text: qsTr("There is no command and no setting of that name")
             color: Theme.muted
         }
     }
 
     function matching(text: string): var {
         const words = text.toLowerCase().split(/\s+/).filter(word => word.length > 0);
-        const about = command => (command.name + " " + command.group + " " + command.keywords).toLowerCase();
-        const fits = root.commands.filter(command => words.every(word => about(command).includes(word)));
-        // Those whose name begins so, and those that can be run, come first.
-        const rank = command => (command.enabled ? 0 : 2) + (words.length > 0 && command.name.toLowerCase().startsWith(words[0]) ? 0 : 1);
-        return fits.map((command, index) => [rank(command), index, command]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]);
+        const all = words.length > 0 ? [...root.commands, ...root.entries] : [...root.commands];
+        const about = one => (one.name + " " + one.group + " " + one.keywords).toLowerCase();
+        const fits = all.filter(one => words.every(word => about(one).includes(word)));
+        // Those whose name begins so, and those that can be run, come first; then those whose name has it.
+        const nameRank = name => words.length === 0 || name.startsWith(words[0]) ? 0 : words.every(word => name.includes(word)) ? 1 : 2;
+        const rank = one => ((one.enabled ?? true) ? 0 : 3) + nameRank(one.name.toLowerCase());
+        return fits.map((one, index) => [rank(one), index, one]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]);
     }
     function run(index: int): void {
-        const command = root.found[index];
-        if (!command || !command.enabled)
+        const chosen = root.found[index];
+        if (!chosen || !(chosen.enabled ?? true))
             return;
         root.close();
-        if (command.checkable)
-            command.toggle();
-        command.trigger();
+        if (!(chosen instanceof Command)) {
+            root.entryChosen(chosen);
+            return;
+        }
+        if (chosen.checkable)
+            chosen.toggle();
+        chosen.trigger();
     }
 }

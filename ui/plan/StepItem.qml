@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
 import Furrow.Controls
+import Furrow.Explain
 import Furrow.Order
 import Furrow.Project
 
@@ -155,6 +156,24 @@ Rectangle {
         Column {
             spacing: 12
 
+            BodyText {
+                objectName: "reason." + root.stepId
+                width: parent.width
+                visible: text.length > 0
+                text: root.planning.reasons.texts[root.stepId] ?? ""
+                wrapMode: Text.WordWrap
+                lineHeight: 1.15
+                // Of the plan before, while the next one is made.
+                opacity: root.old ? 0.6 : 1
+            }
+            Loader {
+                width: parent.width
+                active: root.stepId === "swaths" && root.planning.reasons.headings.available
+                visible: active
+                sourceComponent: HeadingChart {
+                    headings: root.planning.reasons.headings
+                }
+            }
             FieldActions {
                 width: parent.width
                 visible: root.stepId === "field"

@@ -16,6 +16,9 @@ Rectangle {
     signal bestPlanRequested()
     signal swathChosen(segment: int)
 
+    /// To be looked for in the step that opens; empty for none.
+    property string wantedKey: ""
+
     objectName: "stepsPanel"
     color: Theme.panel
 
@@ -34,6 +37,8 @@ Rectangle {
             spacing: 2
 
             Repeater {
+                id: stepItems
+
                 model: root.planning.steps
 
                 StepItem {
@@ -44,7 +49,10 @@ Rectangle {
                     opener: root.opener
                     open: !leadsOn && root.openStep === stepId
                     onToggled: root.openStep = open ? "" : stepId
-                    onOpened: flick.bringIntoView(step)
+                    onOpened: {
+                        flick.bringIntoView(step);
+                        root.focusWanted(step);
+                    }
                     onGrown: part => Qt.callLater(flick.bringIntoView, part)
                     onOpenRequested: root.openRequested()
                     onDrawRequested: root.drawRequested()
@@ -76,6 +84,38 @@ Rectangle {
             onClicked: root.bestPlanRequested()
         }
     }
+    /// Opens a step at one of its settings; where that is not shown as things are, at the first.
+    function openSetting(stepId: string, key: string): void {
+        root.wantedKey = key;
+        for (let i = 0; i < stepItems.count; ++i) {
+            const step = stepItems.itemAt(i) as StepItem;
+            if (step.stepId !== stepId)
+                continue;
+            if (root.openStep === stepId)
+                root.focusWanted(step);
+            else
+                root.openStep = stepId;
+        }
+    }
+    function focusWanted(step: Item): void {
+        if (root.wantedKey.length === 0)
+            return;
+        const field = root.below(step, root.wantedKey);
+        root.wantedKey = "";
+        if (field)
+            field.forceActiveFocus(Qt.TabFocusReason);
+    }
+    function below(item: Item, name: string): Item {
+        if (item.objectName === name)
+            return item;
+        for (const child of item.children) {
+            const found = root.below(child, name);
+            if (found)
+                return found;
+        }
+        return null;
+    }
+
     Rectangle {
         anchors { top: parent.top; bottom: parent.bottom; right: parent.right }
         width: Theme.hairline

@@ -97,6 +97,24 @@ QString MachineModel::name() const {
     return shown(machine_.name());
 }
 
+QVariantList MachineModel::searchable() const {
+    QVariantList found;
+    const auto add = [&found](const QString& name, const QString& keywords, const QString& field) {
+        found << QVariantMap{{QStringLiteral("name"), name},
+                             {QStringLiteral("group"), tr("Machine")},
+                             {QStringLiteral("keywords"), keywords},
+                             {QStringLiteral("stepId"), QStringLiteral("machine")},
+                             {QStringLiteral("key"), QStringLiteral("machine.") + field}};
+    };
+    for (const QString& name : library()) {
+        add(name, tr("machine"), QStringLiteral("library"));
+    }
+    for (const MachineKey* const key : keys_) {
+        add(shown(key->name), shown(key->description), fromStd(key->key));
+    }
+    return found;
+}
+
 void MachineModel::reset() {
     setLibraryIndex(libraryIndex());
 }

@@ -6,6 +6,7 @@
 #include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
 #include <QStringList>
+#include <QVariantList>
 
 #include <vector>
 
@@ -55,6 +56,8 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;
 
+    /// Every machine of the library and every number of one, for a search by name: name, keywords, key.
+    Q_INVOKABLE QVariantList searchable() const;
     /// In SI units. A value that no machine can have is refused and `problem` says why.
     Q_INVOKABLE void setNumber(int row, double value);
     /// Back to the machine of the library.

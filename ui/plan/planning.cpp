@@ -174,6 +174,14 @@ void Planning::changeSetting(const Parameter* parameter, const SettingValue& val
                      live ? Document::Follows::More : Document::Follows::Nothing);
 }
 
+void Planning::apply(const SettingChange& change) {
+    const auto parameter = findParameter(change.key);
+    Settings read;
+    if (parameter && read.setText(**parameter, change.value)) {
+        changeSetting(*parameter, read.value(**parameter), false);
+    }
+}
+
 bool Planning::startsWithADraft() const {
     return wholePlan_ == nullptr || wholePlan_->timings.total > kLongToWaitFor;
 }

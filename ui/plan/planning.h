@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/explain/plan_reasons.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/map/shown_plan.h"
 #include "ui/order/swath_order.h"
@@ -35,6 +36,7 @@ class Planning : public QObject {
     Q_PROPERTY(furrow::MachineModel* machine READ machine CONSTANT FINAL)
     Q_PROPERTY(furrow::CellSteps* cells READ cells CONSTANT FINAL)
     Q_PROPERTY(furrow::SwathOrder* order READ order CONSTANT FINAL)
+    Q_PROPERTY(furrow::PlanReasons* reasons READ reasons CONSTANT FINAL)
 
 public:
     Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Problem& problem,
@@ -50,11 +52,14 @@ public:
     MachineModel* machine() { return &machine_; }
     CellSteps* cells() { return &cells_; }
     SwathOrder* order() { return &order_; }
+    PlanReasons* reasons() { return &reasons_; }
     const Settings& settings() const { return document_.project()->plan().settings; }
 
     /// Stops reading and planning.
     Q_INVOKABLE void cancel();
     Q_INVOKABLE void planAgain();
+    /// Makes a change that the planner advises.
+    void apply(const SettingChange& change);
 
 signals:
     void stateChanged();
@@ -113,6 +118,7 @@ private:
     MachineModel machine_;
     CellSteps cells_;
     SwathOrder order_{document_, shown_};
+    PlanReasons reasons_{document_, shown_};
     JobRunner planner_;
 };
 

@@ -260,6 +260,47 @@ QHash<int, QByteArray> StepsModel::roleNames() const {
             {ParametersRole, "parameters"}};
 }
 
+QVariantList StepsModel::searchable() const {
+    QVariantList found;
+    const auto add = [&found](const QString& name, const QString& group, const QString& keywords,
+                              const QString& stepId, std::string_view key) {
+        found << QVariantMap{{QStringLiteral("name"), name},
+                             {QStringLiteral("group"), group},
+                             {QStringLiteral("keywords"), keywords},
+                             {QStringLiteral("stepId"), stepId},
+                             {QStringLiteral("key"), fromStd(key)}};
+    };
+    const auto addParameter = [&](const Parameter& parameter, const QString& group, const QString& stepId) {
+        add(shown(parameter.name), group, shown(parameter.description), stepId, parameter.key);
+        for (const Choice& choice : parameter.choices) {
+            add(tr("%1: %2").arg(shown(parameter.name), shown(choice.name)), group, shown(choice.description),
+                stepId, parameter.key);
+        }
+    };
+    for (const Parameter* parameter : generalParameters()) {
+        addParameter(*parameter, tr("Field"), QStringLiteral("field"));
+    }
+    for (const StageInfo& stage : stages()) {
+        const QString group = shown(stage.name);
+        const QString stepId = fromStd(stage.id);
+        std::vector<const Parameter*> told{stage.method};
+        const auto addOnce = [&](std::span<const Parameter* const> parameters) {
+            for (const Parameter* parameter : parameters) {
+                if (!std::ranges::contains(told, parameter)) {
+                    told.push_back(parameter);
+                    addParameter(*parameter, group, stepId);
+                }
+            }
+        };
+        for (const MethodInfo& method : stage.methods) {
+            add(shown(method.name), group, shown(method.description), stepId, stage.method->key);
+            addOnce(method.parameters);
+        }
+        addOnce(stage.parameters);
+    }
+    return found;
+}
+
 ParameterModel* StepsModel::parameters(const QString& stepId) const {
     const auto step = std::ranges::find(steps_, stepId, &Step::id);
     return step == steps_.end() ? nullptr : step->parameters;

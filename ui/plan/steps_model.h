@@ -4,6 +4,7 @@
 #include "ui/plan/plan_state.h"
 
 #include <QAbstractListModel>
+#include <QVariantList>
 
 namespace furrow {
 
@@ -49,6 +50,10 @@ public:
 
     /// The settings of a step, for tests and for the session.
     ParameterModel* parameters(const QString& stepId) const;
+
+    /// Every setting and every choice of one that the steps have, for a search by name: name, group (of the
+    /// step), keywords, stepId, key.
+    Q_INVOKABLE QVariantList searchable() const;
 
 signals:
     void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value, bool live);

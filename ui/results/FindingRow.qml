@@ -10,7 +10,10 @@ T.Button {
     required property string finding
     required property string suggestion
     required property bool blocking
+    /// What corrects it, where that is one setting: "Passes: 3".
+    required property string change
     property bool current: false
+    signal applied()
 
     implicitHeight: lines.height + 20
     focusPolicy: Qt.StrongFocus
@@ -71,6 +74,14 @@ T.Button {
                 wrapMode: Text.WordWrap
                 lineHeight: 1.15
                 color: Theme.sunlight ? Theme.ink : Theme.muted
+            }
+            SmallButton {
+                objectName: root.objectName + ".apply"
+                x: -6
+                visible: root.change.length > 0
+                height: visible ? 28 : 0
+                text: qsTr("Apply: %1").arg(root.change)
+                onClicked: root.applied()
             }
         }
     }

@@ -11,6 +11,7 @@ Rectangle {
     required property Planning planning
     required property FiguresModel figures
     required property FindingsModel findings
+    required property PlanChange lastChange
     required property FieldEditor editor
     property int currentFinding: -1
     /// The list of findings was asked for.
@@ -99,7 +100,50 @@ Rectangle {
                     }
                 }
             }
-            Item { width: 1; height: 24; visible: root.findings.count > 0 }
+            Caption {
+                objectName: "results.lastChange"
+                width: parent.width
+                visible: text.length > 0 && !root.outOfDate
+                topPadding: 8
+                text: root.lastChange.text
+                wrapMode: Text.WordWrap
+                lineHeight: 1.15
+            }
+            Item { width: 1; height: 24; visible: root.findings.count > 0 || root.findings.outcome.length > 0 }
+            Column {
+                width: parent.width
+                visible: root.findings.outcome.length > 0
+                bottomPadding: 12
+
+                Rectangle {
+                    width: parent.width
+                    height: outcome.implicitHeight + 20
+                    radius: Theme.radius
+                    color: Theme.softAccent
+                    border.width: Theme.sunlight ? 1 : 0
+                    border.color: Theme.accent
+                    Accessible.role: Accessible.AlertMessage
+                    Accessible.name: outcome.text
+
+                    BodyText {
+                        id: outcome
+
+                        objectName: "findings.outcome"
+                        anchors { left: parent.left; right: close.left; verticalCenter: parent.verticalCenter; leftMargin: 12; rightMargin: 4 }
+                        text: root.findings.outcome
+                        wrapMode: Text.WordWrap
+                        lineHeight: 1.15
+                    }
+                    SmallButton {
+                        id: close
+
+                        objectName: "findings.outcome.close"
+                        anchors { right: parent.right; top: parent.top; margins: 6 }
+                        text: qsTr("Close")
+                        onClicked: root.findings.forgetOutcome()
+                    }
+                }
+            }
             Title {
                 id: findingsTitle
 
@@ -131,6 +175,7 @@ Rectangle {
                         width: column.width
                         current: index === root.currentFinding
                         onClicked: root.findingRequested(index)
+                        onApplied: root.findings.apply(index)
                     }
                 }
             }
@@ -150,6 +195,14 @@ Rectangle {
         Qt.callLater(() => {
             flick.contentY = Math.max(0, Math.min(findingsTitle.y + column.y - 12, flick.contentHeight - flick.height));
             (root.findings.count > 0 ? findingRows.itemAt(0) : root).forceActiveFocus(Qt.TabFocusReason);
+        });
+    }
+    /// Brings a row into view, once it is laid out.
+    function showFinding(index: int): void {
+        Qt.callLater(() => {
+            const row = findingRows.itemAt(index);
+            if (row)
+                flick.bringIntoView(row);
         });
     }
     function focusInspector(): void {

@@ -1,6 +1,8 @@
 #include "ui/results/findings_model.h"
 
 #include "planner/path/blocking.h"
+#include "planner/plan/method_registry.h"
+#include "planner/plan/shown_value.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -9,15 +11,35 @@
 
 namespace furrow {
 
+namespace {
+
+/// "Passes: 3"; empty for a change that cannot be read.
+QString changeText(const SettingChange& change) {
+    const auto parameter = findParameter(change.key);
+    Settings settings;
+    if (!parameter || !settings.setText(**parameter, change.value)) {
+        return {};
+    }
+    return FindingsModel::tr("%1: %2").arg(shown((*parameter)->name),
+                                           shown(shownValue(**parameter, settings.value(**parameter))));
+}
+
+}  // namespace
+
 FindingsModel::FindingsModel(QObject* parent) : QAbstractListModel{parent} {
     connect(&Display::instance(), &Display::changed, this, [this] {
         if (rowCount() > 0) {
             emit dataChanged(index(0), index(rowCount() - 1));
         }
+        emit outcomeChanged();
     });
 }
 
 void FindingsModel::show(const std::vector<Finding>& findings, const std::vector<QGeoCoordinate>& places) {
+    if (applied_ && !applied_->after) {
+        applied_->after = blockingCount(findings);
+        emit outcomeChanged();
+    }
     if (findings == findings_ && places == places_) {
         return;
     }
@@ -66,16 +88,43 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
         case SuggestionRole: return shown(finding.suggestion);
         case BlockingRole: return isBlocking(finding);
         case PlaceRole: return QVariant::fromValue(placeOf(index.row()));
+        case ChangeRole: return finding.change ? changeText(*finding.change) : QString{};
         default: return {};
     }
 }
 
 QHash<int, QByteArray> FindingsModel::roleNames() const {
-    return {{NumberRole, "number"},
-            {TextRole, "finding"},
-            {SuggestionRole, "suggestion"},
-            {BlockingRole, "blocking"},
-            {PlaceRole, "place"}};
+    return {{NumberRole, "number"},     {TextRole, "finding"}, {SuggestionRole, "suggestion"},
+            {BlockingRole, "blocking"}, {PlaceRole, "place"},  {ChangeRole, "change"}};
+}
+
+QString FindingsModel::outcome() const {
+    if (!applied_ || !applied_->after) {
+        return {};
+    }
+    const auto problems = [](std::ptrdiff_t count) {
+        return count == 0 ? tr("no problems") : tr("%n problem(s)", nullptr, static_cast<int>(count));
+    };
+    return tr("%1. Before: %2. Now: %3.")
+        .arg(changeText(applied_->change), problems(applied_->before), problems(*applied_->after));
+}
+
+void FindingsModel::apply(int row) {
+    const auto index = static_cast<std::size_t>(row);
+    if (row < 0 || index >= findings_.size() || !findings_[index].change) {
+        return;
+    }
+    const SettingChange change = *findings_[index].change;
+    applied_ = Applied{.change = change, .before = blockingCount(findings_), .after = {}};
+    emit outcomeChanged();
+    emit changeRequested(change);
+}
+
+void FindingsModel::forgetOutcome() {
+    if (applied_) {
+        applied_.reset();
+        emit outcomeChanged();
+    }
 }
 
 QGeoCoordinate FindingsModel::placeOf(int row) const {

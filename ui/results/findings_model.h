@@ -6,6 +6,7 @@
 #include <QAbstractListModel>
 #include <QGeoCoordinate>
 
+#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -19,9 +20,18 @@ class FindingsModel : public QAbstractListModel {
     /// Rows for all findings, or for the first few only: a plan may have hundreds while a value is dragged.
     Q_PROPERTY(bool all READ showsAll WRITE setAll NOTIFY allChanged FINAL)
     Q_PROPERTY(int few READ few CONSTANT FINAL)
+    /// What became of the findings since a change was applied; empty without one.
+    Q_PROPERTY(QString outcome READ outcome NOTIFY outcomeChanged FINAL)
 
 public:
-    enum Role { NumberRole = Qt::UserRole + 1, TextRole, SuggestionRole, BlockingRole, PlaceRole };
+    enum Role {
+        NumberRole = Qt::UserRole + 1,
+        TextRole,
+        SuggestionRole,
+        BlockingRole,
+        PlaceRole,
+        ChangeRole
+    };
 
     explicit FindingsModel(QObject* parent = nullptr);
 
@@ -37,16 +47,29 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;
     Q_INVOKABLE QGeoCoordinate placeOf(int row) const;
+    QString outcome() const;
+    /// Makes the change that corrects a finding.
+    Q_INVOKABLE void apply(int row);
+    Q_INVOKABLE void forgetOutcome();
 
 signals:
     void countChanged();
     void allChanged();
+    void outcomeChanged();
+    void changeRequested(const furrow::SettingChange& change);
 
 private:
+    /// A change that was applied, with the number of blocking findings before it and after it.
+    struct Applied {
+        SettingChange change;
+        std::ptrdiff_t before = 0;
+        std::optional<std::ptrdiff_t> after;
+    };
     int shownCount(std::size_t findings) const;
 
     bool all_ = false;
     std::vector<Finding> findings_;
+    std::optional<Applied> applied_;
     std::vector<QGeoCoordinate> places_;
 };
 

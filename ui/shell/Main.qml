@@ -121,6 +121,7 @@ ApplicationWindow {
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
         onBestPlanRequested: bestPlanDialog.open()
+        onFindingRequested: by => root.stepFinding(by)
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
@@ -142,6 +143,8 @@ ApplicationWindow {
         y: 72
         parent: Overlay.overlay
         commands: appCommands.all
+        onAboutToShow: entries = root.session.farm.hasField ? [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable()] : []
+        onEntryChosen: entry => steps.openSetting(entry.stepId, entry.key)
     }
     KeysDialog {
         id: keysDialog
@@ -368,12 +371,10 @@ ApplicationWindow {
         planning: root.session.planning
         figures: root.session.figures
         findings: root.session.findings
+        lastChange: root.session.lastChange
         editor: page.editor
         currentFinding: root.currentFinding
-        onFindingRequested: index => {
-            root.currentFinding = index;
-            page.camera.centreOn(root.session.findings.placeOf(index), 17, true);
-        }
+        onFindingRequested: index => root.goToFinding(index)
     }
     ExportDialog {
         id: exportDialog
@@ -429,6 +430,22 @@ ApplicationWindow {
         }
     }
 
+    function goToFinding(index: int): void {
+        root.currentFinding = index;
+        page.camera.centreOn(root.session.findings.placeOf(index), 17, true);
+    }
+    /// From one finding to the next, or back.
+    function stepFinding(by: int): void {
+        const count = root.session.findings.count;
+        if (count === 0)
+            return;
+        const next = root.currentFinding < 0 ? (by > 0 ? 0 : count - 1) : (root.currentFinding + by + count) % count;
+        if (next >= root.session.findings.few)
+            root.session.findings.all = true;
+        root.panelWanted = true;
+        root.goToFinding(next);
+        results.showFinding(next);
+    }
     /// The list of what was found, beginning with what blocks.
     function showFindings(): void {
         if (!root.session.shown.hasPlan)

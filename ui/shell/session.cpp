@@ -10,6 +10,7 @@ Session::Session(QObject* parent) : QObject{parent} {
     connect(&opener_, &FieldOpener::imageryFound, &imagery_, &ImageryModel::add);
     connect(&shown_, &ShownPlan::planChanged, this, &Session::showResults);
     connect(&planning_, &Planning::stateChanged, this, &Session::offerExport);
+    connect(&findings_, &FindingsModel::changeRequested, &planning_, &Planning::apply);
     connect(&Display::instance(), &Display::changed, this, &Session::showResults);
     showResults();
     offerExport();
@@ -28,6 +29,8 @@ void Session::showResults() {
         // Not looked for: what was found last stays until the whole plan says what there is.
         return;
     }
+    const ProjectField* const field = document_.project()->field();
+    lastChange_.show(field != nullptr ? field->id : std::string{}, shown_.plan());
     const auto& geometry = shown_.drawing().geometry();
     findings_.show(
         plan != nullptr ? plan->findings : std::vector<Finding>{},

@@ -13,6 +13,7 @@
 #include "ui/project/recent_files.h"
 #include "ui/results/figures_model.h"
 #include "ui/results/findings_model.h"
+#include "ui/results/plan_change.h"
 
 #include <QtQml/qqmlregistration.h>
 #include <QObject>
@@ -37,6 +38,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::BestSearch* bestSearch READ bestSearch CONSTANT FINAL)
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
+    Q_PROPERTY(furrow::PlanChange* lastChange READ lastChange CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
 
 public:
@@ -54,6 +56,7 @@ public:
     BestSearch* bestSearch() { return &bestSearch_; }
     FiguresModel* figures() { return &figures_; }
     FindingsModel* findings() { return &findings_; }
+    PlanChange* lastChange() { return &lastChange_; }
     ExportModel* exporter() { return &exporter_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
@@ -75,6 +78,7 @@ private:
     BestSearch bestSearch_{document_};
     FiguresModel figures_;
     FindingsModel findings_;
+    PlanChange lastChange_;
     ExportModel exporter_;
 };
 
