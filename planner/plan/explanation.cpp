@@ -22,7 +22,6 @@ namespace furrow {
 namespace {
 
 constexpr double kMinuteS = 60.0;
-constexpr double kHourS = 3600.0;
 // Shorter times are told in seconds, longer ones in hours.
 constexpr double kSecondsUpToS = 90.0;
 constexpr double kMinutesUpToS = 90.0 * kMinuteS;
@@ -368,10 +367,10 @@ std::optional<Message> whyCheck(const Plan& plan) {
     const Message outside = audit.outside->si() < kDryM2
                                 ? message("Nothing stands outside of the field")
                                 : message("{:.0f} m² are driven outside of the field", audit.outside->si());
-    const Message clearance = audit.minClearance && audit.minClearance->si() >= kTouchesM
-                                  ? message("{}; the machine keeps {:.2f} m from its edge at least.", outside,
-                                            audit.minClearance->si())
-                                  : message("{}.", outside);
+    Message clearance = audit.minClearance && audit.minClearance->si() >= kTouchesM
+                            ? message("{}; the machine keeps {:.2f} m from its edge at least.", outside,
+                                      audit.minClearance->si())
+                            : message("{}.", outside);
     return clearance;
 }
 

@@ -30,6 +30,7 @@ Project Project::empty() {
                          .season = {},
                          .machine = machineLibrary().front(),
                          .settings = {},
+                         .review = {},
                          .others = {}},
             .imagery = {},
             .others = {},
@@ -71,6 +72,7 @@ std::string freePlanId(const Project& project) {
 
 FieldPlan planForAnotherField(const FieldPlan& plan) {
     FieldPlan next = plan;
+    next.review = {};
     next.others.clear();
     for (const Parameter* parameter : allParameters()) {
         const bool namesPlaces = parameter->kind == ParameterKind::Line ||

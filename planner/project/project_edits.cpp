@@ -204,6 +204,7 @@ Project withPlanCopy(Project project, const std::string& name) {
     FieldPlan copy = project.plan();
     copy.id = freePlanId(project);
     copy.name = name;
+    copy.review = {};
     project = withField(std::move(project), [&copy](ProjectField& field) { field.plans.push_back(copy); });
     const std::size_t field = project.currentField;
     const std::size_t last = project.field() != nullptr ? project.field()->plans.size() - 1 : 0;
@@ -232,6 +233,13 @@ Project withPlanName(Project project, const std::string& name, const std::string
         FieldPlan& plan = field.plans[std::min(current, field.plans.size() - 1)];
         plan.name = name;
         plan.season = season;
+    });
+}
+
+Project withReview(Project project, Review review) {
+    const std::size_t current = project.currentPlan;
+    return withField(std::move(project), [&](ProjectField& field) {
+        field.plans[std::min(current, field.plans.size() - 1)].review = std::move(review);
     });
 }
 

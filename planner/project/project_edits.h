@@ -44,6 +44,8 @@ Project withPlanCopy(Project project, const std::string& name);
 Project withoutPlan(Project project);
 Project withFieldName(Project project, const std::string& name);
 Project withPlanName(Project project, const std::string& name, const std::string& season);
+/// With this review of the current plan.
+Project withReview(Project project, Review review);
 
 /// With more imagery above what is there.
 Project withImagery(Project project, std::vector<ImageryLayer> layers);

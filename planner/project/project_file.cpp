@@ -53,6 +53,12 @@ bool isArea(const OrderedJson& feature) {
            geometry->value("type", "").ends_with("Polygon");
 }
 
+bool isDrawnOnly(const OrderedJson& feature) {
+    const auto properties = feature.find("properties");
+    return properties != feature.end() && properties->is_object() && properties->contains(kDrawnOnly) &&
+           (*properties)[kDrawnOnly] == true;
+}
+
 /// Sorts features into fields; those that are no part of any go to the project.
 Result<std::vector<FieldParts>> sorted(const OrderedJson& document, OpenedProject& opened,
                                        const std::string& origin) {
@@ -75,6 +81,9 @@ Result<std::vector<FieldParts>> sorted(const OrderedJson& document, OpenedProjec
         fields.back().features.push_back(std::move(feature));
     }
     for (const OrderedJson& feature : document.at("features")) {
+        if (isDrawnOnly(feature)) {
+            continue;
+        }
         const std::string kind = textProperty(feature, "kind");
         const auto owner = find(textProperty(feature, "field"));
         if ((kind == "obstacle" || kind == "gate") && owner != fields.end()) {
@@ -244,7 +253,7 @@ Result<std::string> writeProject(const Project& project, const std::filesystem::
     const std::filesystem::path& place = target.empty() ? path : target;
     const std::string text =
         projectText(withPathsFrom(project, std::filesystem::absolute(place, ignored).parent_path()));
-    const FileToWrite file{.path = place.filename(), .text = [&text] { return text; }};
+    const FileToWrite file{.path = place.filename(), .text = [&text]() -> std::string { return text; }};
     const auto written = writeTogether(place.parent_path(), std::span{&file, 1});
     return written ? Result<std::string>{fingerprint(text)} : std::unexpected(written.error());
 }

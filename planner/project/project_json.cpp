@@ -3,6 +3,7 @@
 #include "planner/machine/machine_file.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
+#include "planner/project/review_json.h"
 
 #include <algorithm>
 
@@ -165,6 +166,9 @@ OrderedJson planOf(const FieldPlan& plan) {
     OrderedJson json{{"id", plan.id}, {"name", plan.name}, {"season", plan.season}};
     json["machine"] = OrderedJson::parse(machineJson(plan.machine.spec()));
     json["settings"] = settingsOf(plan.settings);
+    if (!plan.review.empty()) {
+        json["review"] = reviewJson(plan.review);
+    }
     if (!plan.others.empty()) {
         const OrderedJson others = OrderedJson::parse(plan.others);
         for (const char* object : {"machine", "settings"}) {
@@ -183,9 +187,11 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
                    .season = json.value("season", ""),
                    .machine = machineLibrary().front(),
                    .settings = {},
+                   .review = json.contains("review") ? reviewFrom(json.at("review")) : Review{},
                    .others = {}};
     OrderedJson others = OrderedJson::object();
-    addMembers(others, otherMembers(json, {"id", "name", "season", "field", "machine", "settings"}));
+    addMembers(others,
+               otherMembers(json, {"id", "name", "season", "field", "machine", "settings", "review"}));
     const std::string called = plan.name.empty() ? plan.id : plan.name;
 
     OrderedJson known = OrderedJson::object();

@@ -10,6 +10,9 @@ namespace furrow {
 // A project and its fields as JSON: what the project file and the history have in common. Those that read
 // throw what nlohmann throws where members are missing or of another kind.
 
+/// The property of features that are made anew with each review file: no part of a project.
+inline constexpr const char* kDrawnOnly = "drawn_only";
+
 /// What could not be used as it is and was kept all the same.
 using Notes = std::vector<Message>;
 

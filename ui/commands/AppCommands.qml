@@ -27,6 +27,9 @@ QtObject {
     signal exportRequested()
     signal bestPlanRequested()
     signal findingRequested(by: int)
+    signal commentRequested(atPlace: bool)
+    signal sendRequested()
+    signal takeInRequested()
     signal renameFieldRequested()
     signal addPlanRequested()
     signal renamePlanRequested()
@@ -306,6 +309,39 @@ QtObject {
             keywords: qsTr("quickest optimise compare alternatives")
             enabled: root.farm.hasField
             onTriggered: root.bestPlanRequested()
+        },
+        Command {
+            objectName: "command.commentPlace"
+            group: root.planGroup
+            text: qsTr("Comment on a place…")
+            shortcut: "Ctrl+M"
+            keywords: qsTr("review note remark pin")
+            enabled: root.shown.hasPlan
+            onTriggered: root.commentRequested(true)
+        },
+        Command {
+            objectName: "command.commentPlan"
+            group: root.planGroup
+            text: qsTr("Comment on the whole plan…")
+            keywords: qsTr("review note remark")
+            enabled: root.shown.hasPlan
+            onTriggered: root.commentRequested(false)
+        },
+        Command {
+            objectName: "command.sendReview"
+            group: root.planGroup
+            text: qsTr("Send for review…")
+            keywords: qsTr("contractor share file approve")
+            enabled: root.shown.hasPlan
+            onTriggered: root.sendRequested()
+        },
+        Command {
+            objectName: "command.takeInReview"
+            group: root.planGroup
+            text: qsTr("Take in a review that came back…")
+            keywords: qsTr("merge comments contractor")
+            enabled: root.farm.hasField
+            onTriggered: root.takeInRequested()
         },
         Command {
             objectName: "command.nextFinding"

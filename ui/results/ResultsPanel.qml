@@ -3,6 +3,7 @@ import QtQuick
 import Furrow.Controls
 import Furrow.Edit
 import Furrow.Plan
+import Furrow.Review
 
 /// The figures of the plan and what was found in it.
 Rectangle {
@@ -12,6 +13,8 @@ Rectangle {
     required property FiguresModel figures
     required property FindingsModel findings
     required property PlanChange lastChange
+    required property ReviewModel review
+    readonly property alias reviewSection: reviewSection
     required property FieldEditor editor
     property int currentFinding: -1
     /// The list of findings was asked for.
@@ -186,6 +189,14 @@ Rectangle {
                 height: 32
                 onClicked: root.findings.all = !root.findings.all
             }
+            Item { width: 1; height: 24 }
+            ReviewSection {
+                id: reviewSection
+
+                objectName: "reviewSection"
+                width: parent.width
+                review: root.review
+            }
         }
     }
 
@@ -204,6 +215,9 @@ Rectangle {
             if (row)
                 flick.bringIntoView(row);
         });
+    }
+    function showReview(): void {
+        Qt.callLater(flick.bringIntoView, reviewSection);
     }
     function focusInspector(): void {
         inspectorPanel.focusFirst();

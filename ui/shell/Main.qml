@@ -11,6 +11,7 @@ import Furrow.Layers
 import Furrow.Plan
 import Furrow.Project
 import Furrow.Results
+import Furrow.Review
 import Furrow.Settings
 
 /// The window: top bar, steps, map, results.
@@ -122,6 +123,9 @@ ApplicationWindow {
         onExportRequested: exportDialog.open()
         onBestPlanRequested: bestPlanDialog.open()
         onFindingRequested: by => root.stepFinding(by)
+        onCommentRequested: atPlace => root.comment(atPlace)
+        onSendRequested: reviewDialogs.send()
+        onTakeInRequested: reviewDialogs.takeIn()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
@@ -337,6 +341,21 @@ ApplicationWindow {
             onFileRequested: imageryDialogs.addFiles()
             onFolderRequested: imageryDialogs.addTileFolder()
         }
+        CommentPins {
+            id: pins
+
+            objectName: "commentPins"
+            anchors.fill: parent
+            visible: root.session.shown.hasPlan && !root.steppingCells
+            review: root.session.review
+            camera: page.camera
+            onClicked: row => root.showComment(row)
+            onPlaced: place => {
+                root.panelWanted = true;
+                results.showReview();
+                results.reviewSection.write(place);
+            }
+        }
         SketchHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
@@ -372,9 +391,31 @@ ApplicationWindow {
         figures: root.session.figures
         findings: root.session.findings
         lastChange: root.session.lastChange
+        review: root.session.review
         editor: page.editor
         currentFinding: root.currentFinding
         onFindingRequested: index => root.goToFinding(index)
+    }
+    ReviewDialogs {
+        id: reviewDialogs
+
+        review: root.session.review
+    }
+    Connections {
+        target: results.reviewSection
+
+        function onCommentRequested(row: int): void {
+            root.showComment(row);
+        }
+        function onPlaceRequested(): void {
+            pins.placing = true;
+        }
+        function onSendRequested(): void {
+            reviewDialogs.send();
+        }
+        function onTakeInRequested(): void {
+            reviewDialogs.takeIn();
+        }
     }
     ExportDialog {
         id: exportDialog
@@ -433,6 +474,25 @@ ApplicationWindow {
     function goToFinding(index: int): void {
         root.currentFinding = index;
         page.camera.centreOn(root.session.findings.placeOf(index), 17, true);
+    }
+    /// A comment in the list and at its place.
+    function showComment(row: int): void {
+        pins.current = row;
+        results.reviewSection.current = row;
+        root.panelWanted = true;
+        results.showReview();
+        const place = root.session.review.placeOf(row);
+        if (place.isValid)
+            page.camera.centreOn(place, 17, true);
+    }
+    /// A comment on a place of the map that is clicked next, or on the whole plan.
+    function comment(atPlace: bool): void {
+        root.panelWanted = true;
+        results.showReview();
+        if (atPlace)
+            pins.placing = true;
+        else
+            results.reviewSection.write(QtPositioning.coordinate());
     }
     /// From one finding to the next, or back.
     function stepFinding(by: int): void {

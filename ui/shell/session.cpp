@@ -39,6 +39,7 @@ void Session::showResults() {
 
 void Session::offerExport() {
     const PlanState state = planning_.state();
+    review_.setPlan(isFinished(state) ? shown_.plan() : nullptr);
     exporter_.setPlan(
         isFinished(state)
             ? PlanTitle{.plan = shown_.plan(), .name = farm_.ownName(), .finished = shown_.finished()}

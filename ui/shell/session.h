@@ -14,6 +14,7 @@
 #include "ui/results/figures_model.h"
 #include "ui/results/findings_model.h"
 #include "ui/results/plan_change.h"
+#include "ui/review/review_model.h"
 
 #include <QtQml/qqmlregistration.h>
 #include <QObject>
@@ -39,6 +40,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
     Q_PROPERTY(furrow::PlanChange* lastChange READ lastChange CONSTANT FINAL)
+    Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
 
 public:
@@ -57,6 +59,7 @@ public:
     FiguresModel* figures() { return &figures_; }
     FindingsModel* findings() { return &findings_; }
     PlanChange* lastChange() { return &lastChange_; }
+    ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
@@ -79,6 +82,7 @@ private:
     FiguresModel figures_;
     FindingsModel findings_;
     PlanChange lastChange_;
+    ReviewModel review_{document_};
     ExportModel exporter_;
 };
 

@@ -1,0 +1,164 @@
+// A plan goes to somebody for review and comes back: comments at places of the map, a verdict, the file, and
+// what becomes of it in the project that it was sent from.
+
+#include "planner/project/project_edits.h"
+#include "planner/project/project_file.h"
+#include "planner/swaths/methods.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/window/window_test.h"
+
+#include <QAbstractItemModelTester>
+#include <QTemporaryDir>
+
+using namespace furrow;
+
+class TestReviewWindow : public test::WindowTest {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void commentsAtAPlaceAndOnAll();
+    void sentReviewedAndTakenIn();
+    void aForeignFileIsRefused();
+
+private:
+    ReviewModel& review() { return *session_->review(); }
+    void comment(const QString& text);
+    void waitForMessage();
+};
+
+void TestReviewWindow::init() {
+    begin({1440, 900});
+    openSample("Home Field");
+}
+
+void TestReviewWindow::cleanup() {
+    end();
+}
+
+void TestReviewWindow::comment(const QString& text) {
+    QTRY_VERIFY(item("review.text") != nullptr && item("review.text")->isVisible());
+    QTRY_VERIFY(item("review.text")->hasActiveFocus());
+    type(text);
+    key(Qt::Key_Return);
+}
+
+void TestReviewWindow::waitForMessage() {
+    QTRY_VERIFY(!review().message().isEmpty() && !review().isBusy());
+}
+
+void TestReviewWindow::commentsAtAPlaceAndOnAll() {
+    const QAbstractItemModelTester tester{&review(), QAbstractItemModelTester::FailureReportingMode::QtTest};
+    // On the map, by keys and a click.
+    key(Qt::Key_M, Qt::ControlModifier);
+    QTRY_VERIFY(item("commentPins")->property("placing").toBool());
+    picture("review_placing");
+    const QPoint at = middleOf(*map()) + QPoint{60, 40};
+    clickAt(at);
+    comment("Wet here in spring");
+    QCOMPARE(review().rowCount(), 1);
+    QTRY_VERIFY(item("pin.0") != nullptr && item("pin.0")->isVisible());
+    QVERIFY((onMap(review().placeOf(0)) - at).manhattanLength() <= 2);
+    // Esc ends the placing without a comment.
+    key(Qt::Key_M, Qt::ControlModifier);
+    QTRY_VERIFY(item("commentPins")->property("placing").toBool());
+    key(Qt::Key_Escape);
+    QVERIFY(!item("commentPins")->property("placing").toBool());
+    QCOMPARE(review().rowCount(), 1);
+    click("review.onPlan");
+    comment("Start at the road");
+    QCOMPARE(review().rowCount(), 2);
+    QVERIFY(!review().placeOf(1).isValid());
+    QCOMPARE(review().openCount(), 2);
+    click("comment.0.settle");
+    QTRY_COMPARE(review().openCount(), 1);
+    picture("review_comments");
+    // Another heading: what was said was said of another plan.
+    QVERIFY(!review().data(review().index(1), ReviewModel::OldRole).toBool());
+    Settings changed = session_->planning()->settings();
+    changed.set(kOverlap, 0.5).value();
+    const Project& project = *session_->document()->project();
+    session_->document()->change([] { return QString{}; },
+                                 withPlan(project, project.plan().machine, changed));
+    QTRY_VERIFY(review().data(review().index(1), ReviewModel::OldRole).toBool());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(!review().data(review().index(1), ReviewModel::OldRole).toBool());
+    click("comment.1.remove");
+    QTRY_COMPARE(review().rowCount(), 1);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(review().rowCount(), 2);
+}
+
+void TestReviewWindow::sentReviewedAndTakenIn() {
+    const QTemporaryDir folder;
+    const QUrl sent = QUrl::fromLocalFile(folder.filePath("sent.furrow"));
+    const QUrl back = QUrl::fromLocalFile(folder.filePath("back.furrow"));
+    click("review.onPlan");
+    comment("Please look at the turns");
+    review().setAuthor("Farmer");
+    review().send(sent);
+    waitForMessage();
+    QVERIFY2(!review().hasFailed(), qPrintable(review().message()));
+    QVERIFY(review().isSent());
+    const History farmers = session_->document()->history();
+
+    // The contractor opens the file as any project.
+    auto opened = readProject(folder.filePath("sent.furrow").toStdU16String());
+    QVERIFY(opened.has_value());
+    session_->document()->begin(History{.base = std::make_shared<const Project>(std::move(opened->project))});
+    QTRY_VERIFY(isFinished(session_->planning()->state()));
+    QCOMPARE(review().rowCount(), 1);
+    review().setAuthor("Contractor");
+    click("review.atPlace");
+    QTRY_VERIFY(item("commentPins")->property("placing").toBool());
+    clickAt(middleOf(*map()) + QPoint{-80, 30});
+    comment("Turn at this end only");
+    click("review.approve");
+    QTRY_VERIFY(review().verdictText().startsWith("Approved: Contractor"));
+    picture("review_by_contractor");
+    review().send(back);
+    waitForMessage();
+    QVERIFY(!review().hasFailed());
+
+    // Back at the farm.
+    session_->document()->begin(farmers);
+    QTRY_VERIFY(isFinished(session_->planning()->state()));
+    QCOMPARE(review().rowCount(), 1);
+    review().dismiss();
+    review().takeIn(back);
+    waitForMessage();
+    QVERIFY2(!review().hasFailed(), qPrintable(review().message()));
+    QCOMPARE(review().rowCount(), 2);
+    QCOMPARE(review().verdict(), ReviewModel::State::Approved);
+    QVERIFY(!review().verdictIsOld());
+    picture("review_taken_in");
+    // Once more gives nothing more.
+    const QString undo = session_->document()->undoText();
+    review().dismiss();
+    review().takeIn(back);
+    waitForMessage();
+    QCOMPARE(review().rowCount(), 2);
+    QCOMPARE(session_->document()->undoText(), undo);
+    // One step back, and it never came.
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(review().rowCount(), 1);
+}
+
+void TestReviewWindow::aForeignFileIsRefused() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("other.furrow");
+    QVERIFY(writeProject(Project::empty(), path.toStdU16String()).has_value());
+    review().takeIn(QUrl::fromLocalFile(path));
+    waitForMessage();
+    QVERIFY(review().hasFailed());
+    QCOMPARE(review().rowCount(), 0);
+    review().takeIn(QUrl::fromLocalFile(folder.filePath("nowhere.furrow")));
+    review().dismiss();
+    waitForMessage();
+    QVERIFY(review().hasFailed());
+    picture("review_refused");
+}
+
+FURROW_TEST_WITH(TestReviewWindow, QGuiApplication);
+#include "tst_review_window.moc"

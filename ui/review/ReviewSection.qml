@@ -1,0 +1,212 @@
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtPositioning
+import Furrow.Controls
+
+/// What people say of the plan, and what may be said here.
+Column {
+    id: root
+
+    required property ReviewModel review
+    property int current: -1
+    /// Where the comment that is being written belongs; not valid for the whole plan.
+    property var place: QtPositioning.coordinate()
+    property bool writing: false
+    signal commentRequested(row: int)
+    signal placeRequested()
+    signal sendRequested()
+    signal takeInRequested()
+
+    spacing: 8
+
+    BodyText {
+        text: root.review.openCount > 0 ? qsTr("Review · %n open comment(s)", "", root.review.openCount) : qsTr("Review")
+        font.pixelSize: Theme.titleSize
+        font.weight: Font.DemiBold
+    }
+    Rectangle {
+        width: parent.width
+        height: verdict.height + 20
+        visible: root.review.verdictText.length > 0
+        radius: Theme.radius
+        color: root.review.verdict === ReviewModel.Approved && !root.review.verdictIsOld ? Theme.softAccent : Theme.warningGround
+        border.width: Theme.sunlight ? 1 : 0
+        border.color: Theme.line
+
+        Column {
+            id: verdict
+
+            anchors { left: parent.left; right: parent.right; margins: 12 }
+            y: 10
+            spacing: 2
+
+            BodyText {
+                objectName: "review.verdict"
+                width: parent.width
+                text: root.review.verdictText
+                wrapMode: Text.WordWrap
+                font.weight: Font.Medium
+            }
+            Caption {
+                width: parent.width
+                visible: root.review.verdictIsOld
+                text: qsTr("The plan has changed since.")
+                color: Theme.warning
+                wrapMode: Text.WordWrap
+            }
+            SmallButton {
+                x: -6
+                objectName: "review.takeBack"
+                text: qsTr("Take back")
+                onClicked: root.review.setVerdict(ReviewModel.None)
+            }
+        }
+    }
+    Repeater {
+        id: rows
+
+        model: root.review
+
+        CommentRow {
+            required property int index
+
+            objectName: "comment." + index
+            width: root.width
+            current: index === root.current
+            onClicked: root.commentRequested(index)
+            onSettledChosen: on => root.review.setSettled(index, on)
+            onRemoveChosen: root.review.remove(index)
+        }
+    }
+    Column {
+        width: parent.width
+        spacing: 8
+        visible: root.writing
+
+        Caption {
+            width: parent.width
+            text: root.place.isValid ? qsTr("At the place that you clicked:") : qsTr("On the whole plan:")
+        }
+        TextEntry {
+            id: entry
+
+            objectName: "review.text"
+            width: parent.width
+            name: qsTr("Comment")
+            placeholderText: qsTr("What should be seen to?")
+            placeholderTextColor: Theme.muted
+            onAccepted: root.finish()
+        }
+        TextEntry {
+            objectName: "review.author"
+            width: parent.width
+            name: qsTr("Your name")
+            placeholderText: qsTr("Your name")
+            placeholderTextColor: Theme.muted
+            value: root.review.author
+            onCommitted: entered => root.review.author = entered
+        }
+        Row {
+            spacing: 8
+
+            PushButton {
+                objectName: "review.add"
+                text: qsTr("Add")
+                primary: true
+                enabled: entry.text.trim().length > 0
+                onClicked: root.finish()
+            }
+            PushButton {
+                objectName: "review.cancel"
+                text: qsTr("Cancel")
+                onClicked: root.writing = false
+            }
+        }
+    }
+    Caption {
+        visible: !root.writing
+        text: qsTr("Comment")
+    }
+    Flow {
+        width: parent.width
+        spacing: 8
+        visible: !root.writing
+
+        PushButton {
+            objectName: "review.atPlace"
+            text: qsTr("On a place…")
+            onClicked: root.placeRequested()
+        }
+        PushButton {
+            objectName: "review.onPlan"
+            text: qsTr("On the whole plan…")
+            onClicked: root.write(QtPositioning.coordinate())
+        }
+        PushButton {
+            objectName: "review.approve"
+            text: qsTr("Approve")
+            onClicked: root.review.setVerdict(ReviewModel.Approved)
+        }
+        PushButton {
+            objectName: "review.askForChanges"
+            text: qsTr("Ask for changes")
+            onClicked: root.review.setVerdict(ReviewModel.ChangesWanted)
+        }
+        PushButton {
+            objectName: "review.send"
+            text: root.review.sent ? qsTr("Send on…") : qsTr("Send for review…")
+            enabled: root.review.refusal.length === 0 && !root.review.busy
+            onClicked: root.sendRequested()
+        }
+        PushButton {
+            objectName: "review.takeIn"
+            visible: root.review.sent
+            text: qsTr("Take in what came back…")
+            enabled: !root.review.busy
+            onClicked: root.takeInRequested()
+        }
+    }
+    Rectangle {
+        width: parent.width
+        height: told.height + 20
+        visible: root.review.message.length > 0
+        radius: Theme.radius
+        color: root.review.failed ? Theme.failureGround : Theme.softAccent
+        border.width: Theme.sunlight ? 1 : 0
+        border.color: Theme.line
+        Accessible.role: Accessible.AlertMessage
+        Accessible.name: root.review.message
+
+        BodyText {
+            id: told
+
+            objectName: "review.message"
+            anchors { left: parent.left; right: close.left; leftMargin: 12; rightMargin: 4 }
+            y: 10
+            text: root.review.message
+            wrapMode: Text.Wrap
+            lineHeight: 1.15
+        }
+        SmallButton {
+            id: close
+
+            anchors { right: parent.right; top: parent.top; margins: 6 }
+            text: qsTr("Close")
+            onClicked: root.review.dismiss()
+        }
+    }
+
+    function write(place: var): void {
+        root.place = place;
+        root.writing = true;
+        entry.text = "";
+        Qt.callLater(() => entry.forceActiveFocus(Qt.TabFocusReason));
+    }
+    function finish(): void {
+        if (entry.text.trim().length === 0)
+            return;
+        root.review.add(entry.text, root.place);
+        entry.text = "";
+        root.writing = false;
+    }
+}
