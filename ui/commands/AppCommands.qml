@@ -1,6 +1,7 @@
 import QtQuick
 import QtQuick.Controls
 import Furrow.Controls
+import Furrow.Drive
 import Furrow.Edit
 import Furrow.Layers
 import Furrow.Map
@@ -17,6 +18,8 @@ QtObject {
     required property FarmModel farm
     required property ShownPlan shown
     required property Planning planning
+    required property DriveThrough drive
+    required property DriveBar driveBar
     required property MapPage page
     required property LayersPanel layersPanel
     required property ScaleSetting scaleSetting
@@ -30,6 +33,8 @@ QtObject {
     signal commentRequested(atPlace: bool)
     signal sendRequested()
     signal takeInRequested()
+    signal driveBarRequested(on: bool)
+    signal driveRequested(segment: int)
     signal renameFieldRequested()
     signal addPlanRequested()
     signal renamePlanRequested()
@@ -309,6 +314,63 @@ QtObject {
             keywords: qsTr("quickest optimise compare alternatives")
             enabled: root.farm.hasField
             onTriggered: root.bestPlanRequested()
+        },
+        Command {
+            objectName: "command.drive"
+            group: root.planGroup
+            name: qsTr("Drive through the plan")
+            text: root.drive.playing ? qsTr("Pause the drive") : name
+            shortcut: "Ctrl+Space"
+            keywords: qsTr("drive play pause simulate machine")
+            enabled: root.drive.available
+            onTriggered: {
+                root.driveBarRequested(true);
+                root.drive.playing = !root.drive.playing;
+            }
+        },
+        Command {
+            objectName: "command.driveHere"
+            group: root.planGroup
+            text: qsTr("Drive from what is selected")
+            keywords: qsTr("drive play here swath turn")
+            enabled: root.drive.available && root.page.editor.selectedSegment >= 0
+            onTriggered: root.driveRequested(root.page.editor.selectedSegment)
+        },
+        Command {
+            objectName: "command.driveFaster"
+            group: root.planGroup
+            text: qsTr("Drive faster")
+            keywords: qsTr("pace speed")
+            enabled: root.drive.available
+            onTriggered: root.drive.faster()
+        },
+        Command {
+            objectName: "command.driveSlower"
+            group: root.planGroup
+            text: qsTr("Drive slower")
+            keywords: qsTr("pace speed")
+            enabled: root.drive.available
+            onTriggered: root.drive.slower()
+        },
+        Command {
+            objectName: "command.driveFollow"
+            group: root.viewGroup
+            text: qsTr("Follow the machine")
+            keywords: qsTr("drive camera centre")
+            checkable: true
+            checked: root.driveBar.follows
+            enabled: root.drive.available
+            onTriggered: root.driveBar.follows = checked
+        },
+        Command {
+            objectName: "command.driveBar"
+            group: root.viewGroup
+            text: qsTr("Drive-through bar")
+            keywords: qsTr("drive play slider")
+            checkable: true
+            checked: root.driveBar.visible
+            enabled: root.shown.hasPlan
+            onTriggered: root.driveBarRequested(checked)
         },
         Command {
             objectName: "command.commentPlace"

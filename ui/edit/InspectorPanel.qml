@@ -8,6 +8,8 @@ Column {
 
     required property Inspector inspector
     readonly property FieldEditor editor: inspector.editor
+    /// The drive-through is to go to the segment that is selected.
+    signal driveRequested(segment: int)
 
     objectName: "inspector"
     visible: inspector.shown
@@ -137,6 +139,13 @@ Column {
             visible: root.inspector.hasOwnHeadland
             text: qsTr("Headland as elsewhere")
             onClicked: root.editor.clearEdgeHeadland()
+        }
+        PushButton {
+            objectName: "inspector.drive"
+            visible: root.editor.selectedSegment >= 0
+            iconName: "play"
+            text: qsTr("Drive from here")
+            onClicked: root.driveRequested(root.editor.selectedSegment)
         }
         PushButton {
             objectName: "inspector.delete"

@@ -27,6 +27,8 @@ FocusScope {
     readonly property alias editor: editor
     readonly property alias planLayer: plan
     readonly property alias toolBar: tools
+    /// What lies over the plan and below the tools.
+    property alias overlays: overlay.data
 
     signal findingClicked(index: int)
     signal fieldDrawn(boundary: list<geoCoordinate>)
@@ -192,6 +194,11 @@ FocusScope {
                 last = activeScale;
             }
         }
+    }
+    Item {
+        id: overlay
+
+        anchors.fill: parent
     }
     MapToolBar {
         id: tools

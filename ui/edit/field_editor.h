@@ -37,6 +37,8 @@ class FieldEditor : public QObject {
     Q_PROPERTY(bool dragging READ isDragging NOTIFY draggingChanged FINAL)
     Q_PROPERTY(bool canDelete READ canDelete NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool hasSelection READ hasSelection NOTIFY selectionChanged FINAL)
+    /// Of the path; -1 where something else is selected, or nothing.
+    Q_PROPERTY(int selectedSegment READ selectedSegment NOTIFY selectionChanged FINAL)
 
 public:
     enum class Tool { Select, Field, Hole, Obstacle, Guide, Split, Gate };
@@ -73,6 +75,9 @@ public:
     bool isAhead() const;
     bool hasSelection() const { return !selection_.isNone(); }
     bool canDelete() const;
+    int selectedSegment() const {
+        return selection_.kind == Selection::Kind::Segment ? static_cast<int>(selection_.index) : -1;
+    }
 
     // What is shown.
     const std::optional<FieldShape>& shape() const { return shape_; }

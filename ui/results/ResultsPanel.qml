@@ -21,6 +21,7 @@ Rectangle {
     property bool checked: false
     readonly property bool outOfDate: planning.state === PlanState.OutOfDate
     signal findingRequested(index: int)
+    signal driveRequested(segment: int)
 
     objectName: "resultsPanel"
     color: Theme.panel
@@ -55,6 +56,7 @@ Rectangle {
 
                 width: parent.width
                 inspector: Inspector { editor: root.editor }
+                onDriveRequested: segment => root.driveRequested(segment)
             }
             Title { text: qsTr("Plan") }
             Column {

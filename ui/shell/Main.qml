@@ -5,6 +5,7 @@ import QtPositioning
 import Furrow.Best
 import Furrow.Commands
 import Furrow.Controls
+import Furrow.Drive
 import Furrow.Edit
 import Furrow.Export
 import Furrow.Layers
@@ -25,6 +26,8 @@ ApplicationWindow {
     property int currentFinding: -1
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
+    /// The drive-through is at hand; remembered.
+    property bool driveWanted: true
     /// What was not saved is settled: the window may close.
     property bool settled: false
     /// The tour starts by itself where it was never shown.
@@ -66,6 +69,7 @@ ApplicationWindow {
         property alias width: root.width
         property alias height: root.height
         property alias maximised: root.maximised
+        property alias driveBar: root.driveWanted
         property alias x: root.x
         property alias y: root.y
     }
@@ -111,6 +115,8 @@ ApplicationWindow {
         farm: root.session.farm
         shown: root.session.shown
         planning: root.session.planning
+        drive: root.session.drive
+        driveBar: driveBar
         page: page
         layersPanel: layersPanel
         scaleSetting: scaleSetting
@@ -126,6 +132,8 @@ ApplicationWindow {
         onCommentRequested: atPlace => root.comment(atPlace)
         onSendRequested: reviewDialogs.send()
         onTakeInRequested: reviewDialogs.takeIn()
+        onDriveBarRequested: on => root.driveWanted = on
+        onDriveRequested: segment => root.driveFrom(segment)
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
@@ -233,7 +241,7 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: parent.bottom }
+        anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         document: root.session.document
         shown: root.session.shown
@@ -276,6 +284,35 @@ ApplicationWindow {
                 showFindings: layersPanel.layers.findings && !root.steppingCells,
                 selectedFinding: root.currentFinding
             })
+        overlays: [
+            DriveLayer {
+                objectName: "driveLayer"
+                anchors.fill: parent
+                visible: !root.steppingCells
+                camera: page.camera
+                drive: root.session.drive
+                workedColor: Theme.covered
+                bodyColor: Theme.accent
+                wheelColor: Theme.ink
+                implementColor: Theme.dark ? Theme.boundary : Theme.ink
+                casingColor: Theme.panel
+            },
+            CommentPins {
+                id: pins
+
+                objectName: "commentPins"
+                anchors.fill: parent
+                visible: root.session.shown.hasPlan && !root.steppingCells
+                review: root.session.review
+                camera: page.camera
+                onClicked: row => root.showComment(row)
+                onPlaced: place => {
+                    root.panelWanted = true;
+                    results.showReview();
+                    results.reviewSection.write(place);
+                }
+            }
+        ]
         onFindingClicked: index => {
             if (index >= root.session.findings.few)
                 root.session.findings.all = true;
@@ -341,21 +378,6 @@ ApplicationWindow {
             onFileRequested: imageryDialogs.addFiles()
             onFolderRequested: imageryDialogs.addTileFolder()
         }
-        CommentPins {
-            id: pins
-
-            objectName: "commentPins"
-            anchors.fill: parent
-            visible: root.session.shown.hasPlan && !root.steppingCells
-            review: root.session.review
-            camera: page.camera
-            onClicked: row => root.showComment(row)
-            onPlaced: place => {
-                root.panelWanted = true;
-                results.showReview();
-                results.reviewSection.write(place);
-            }
-        }
         SketchHint {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
@@ -381,6 +403,28 @@ ApplicationWindow {
             }
         }
     }
+    DriveBar {
+        id: driveBar
+
+        anchors { left: steps.right; right: results.left; bottom: parent.bottom }
+        visible: root.driveWanted && root.session.shown.hasPlan && !page.editor.drawing
+        slim: root.height < 700
+        drive: root.session.drive
+        onHideRequested: root.driveWanted = false
+        onVisibleChanged: {
+            if (!visible)
+                drive.playing = false;
+        }
+    }
+    Connections {
+        target: root.session.drive
+        enabled: driveBar.follows
+
+        function onMoved(): void {
+            if (root.session.drive.underWay)
+                page.camera.centreOn(root.session.drive.place, page.camera.zoomLevel, false);
+        }
+    }
     ResultsPanel {
         id: results
 
@@ -395,6 +439,7 @@ ApplicationWindow {
         editor: page.editor
         currentFinding: root.currentFinding
         onFindingRequested: index => root.goToFinding(index)
+        onDriveRequested: segment => root.driveFrom(segment)
     }
     ReviewDialogs {
         id: reviewDialogs
@@ -474,6 +519,11 @@ ApplicationWindow {
     function goToFinding(index: int): void {
         root.currentFinding = index;
         page.camera.centreOn(root.session.findings.placeOf(index), 17, true);
+    }
+    /// The drive from the beginning of a segment.
+    function driveFrom(segment: int): void {
+        root.driveWanted = true;
+        root.session.drive.goTo(segment);
     }
     /// A comment in the list and at its place.
     function showComment(row: int): void {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/best/best_search.h"
+#include "ui/drive/drive_through.h"
 #include "ui/export/export_model.h"
 #include "ui/layers/imagery_model.h"
 #include "ui/map/shown_plan.h"
@@ -40,6 +41,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
     Q_PROPERTY(furrow::PlanChange* lastChange READ lastChange CONSTANT FINAL)
+    Q_PROPERTY(furrow::DriveThrough* drive READ drive CONSTANT FINAL)
     Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
 
@@ -59,6 +61,7 @@ public:
     FiguresModel* figures() { return &figures_; }
     FindingsModel* findings() { return &findings_; }
     PlanChange* lastChange() { return &lastChange_; }
+    DriveThrough* drive() { return &drive_; }
     ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
 
@@ -82,6 +85,7 @@ private:
     FiguresModel figures_;
     FindingsModel findings_;
     PlanChange lastChange_;
+    DriveThrough drive_{shown_};
     ReviewModel review_{document_};
     ExportModel exporter_;
 };
