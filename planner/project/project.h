@@ -3,6 +3,7 @@
 #include "planner/core/result.h"
 #include "planner/field/field.h"
 #include "planner/machine/machine.h"
+#include "planner/project/work_order.h"
 #include "planner/settings/settings.h"
 
 #include <cstddef>
@@ -21,6 +22,7 @@ struct FieldPlan {
     std::string season;  ///< "2026"; may be empty
     Machine machine;
     Settings settings;
+    WorkOrder order = {};
     /// Members of a file that this version does not know, as a JSON object; empty for none.
     std::string others;
 

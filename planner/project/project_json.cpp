@@ -161,10 +161,15 @@ Result<void> applySetting(Settings& settings, const std::string& key, const Orde
     return settings.set(**parameter, text == "auto" ? SettingValue{Auto{}} : SettingValue{text});
 }
 
+constexpr const char* kWorkOrder = "work_order";
+
 OrderedJson planOf(const FieldPlan& plan) {
     OrderedJson json{{"id", plan.id}, {"name", plan.name}, {"season", plan.season}};
     json["machine"] = OrderedJson::parse(machineJson(plan.machine.spec()));
     json["settings"] = settingsOf(plan.settings);
+    if (plan.order != WorkOrder{}) {
+        json[kWorkOrder] = OrderedJson::parse(workOrderJson(plan.order));
+    }
     if (!plan.others.empty()) {
         const OrderedJson others = OrderedJson::parse(plan.others);
         for (const char* object : {"machine", "settings"}) {
@@ -183,9 +188,10 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
                    .season = json.value("season", ""),
                    .machine = machineLibrary().front(),
                    .settings = {},
+                   .order = {},
                    .others = {}};
     OrderedJson others = OrderedJson::object();
-    addMembers(others, otherMembers(json, {"id", "name", "season", "field", "machine", "settings"}));
+    addMembers(others, otherMembers(json, {"id", "name", "season", "field", "machine", "settings", kWorkOrder}));
     const std::string called = plan.name.empty() ? plan.id : plan.name;
 
     OrderedJson known = OrderedJson::object();
@@ -214,6 +220,15 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
     }
     if (!unused.empty()) {
         others["settings"] = unused;
+    }
+    if (json.contains(kWorkOrder)) {
+        // One that cannot be read stays in the file as it is.
+        if (const auto order = parseWorkOrder(textOf(json.at(kWorkOrder)), called)) {
+            plan.order = *order;
+        } else {
+            others[kWorkOrder] = json.at(kWorkOrder);
+            notes.push_back(message("{}: its work order is not used: {}", called, order.error().what));
+        }
     }
     plan.others = others.empty() ? std::string{} : textOf(others);
     return plan;
