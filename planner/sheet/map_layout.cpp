@@ -8,7 +8,7 @@
 namespace furrow {
 
 double roundMapScale(const Bounds& extent, double widthMm, double heightMm) {
-    constexpr std::array kSteps{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.0, 10.0};
+    constexpr std::array kSteps{1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.5, 8.0, 10.0};
     constexpr double kFinest = 100.0;
     const double needed =
         std::max({kFinest, 1000.0 * extent.width() / widthMm, 1000.0 * extent.height() / heightMm});

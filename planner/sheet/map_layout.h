@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-/// The largest round scale (1 to 1,000, 1,250, 1,500, 2,000, 2,500, 3,000, 4,000, 5,000, 6,000, 7,500, 8,000
-/// and tenfold) at which an extent fits on paper.
+/// The largest round scale (1 to 1,000, 1,250, 1,500, 1,750, 2,000, 2,500, 3,000, 3,500, 4,000, 4,500, 5,000,
+/// 6,000, 7,500, 8,000 and tenfold) at which an extent fits on paper.
 ///
 /// @param extent   metres; not empty
 /// @param widthMm, heightMm  of the paper, > 0

@@ -191,8 +191,10 @@ QString OrderLayout::totalText() const {
 }
 
 void OrderLayout::layOrder() {
-    constexpr double kRowHeight = 13.5;
-    const QRectF box = flow_.take(2.0 * kRowHeight + 2.0);
+    // Customer and address are long.
+    constexpr double kFirstRow = 16.5;
+    constexpr double kSecondRow = 13.0;
+    const QRectF box = flow_.take(kFirstRow + kSecondRow + 2.0);
     const double textWidth = flow_.width() - kQr - 8.0;
     const double column = textWidth / 3.0;
     const QString rate = rateText();
@@ -209,9 +211,10 @@ void OrderLayout::layOrder() {
         canvas.line(box.topLeft() + QPointF{0.0, 0.4}, box.topLeft() + QPointF{textWidth + 4.0, 0.4},
                     ink::kLine);
         for (std::size_t i = 0; i < fields.size(); ++i) {
+            const bool first = i < 3;
             const QRectF cell{box.left() + static_cast<double>(i % 3) * column,
-                              box.top() + 1.2 + static_cast<double>(i / 3) * kRowHeight, column - 4.0,
-                              kRowHeight};
+                              box.top() + 1.2 + (first ? 0.0 : kFirstRow), column - 4.0,
+                              first ? kFirstRow : kSecondRow};
             drawField(canvas, cell, fields[i].name, fields[i].value);
         }
     });
@@ -501,13 +504,14 @@ void OrderLayout::layPasses() {
         const bool headland = pass.kind == SegmentKind::HeadlandPass;
         passes.push_back(
             {headland ? Words::tr("H%1", "headland pass").arg(pass.number) : QString::number(++swath),
-             headland ? Words::tr("Headland pass %1").arg(pass.number)
-                      : Words::tr("Swath %1").arg(pass.number),
+             headland ? Words::tr("Headland") : Words::tr("Swath %1").arg(pass.number),
              metresText(pass.length, 0),
              pass.bearingDeg ? Words::tr("%1°").arg(static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
                              : QString{}});
     }
-    constexpr int kColumns = 3;
+    constexpr int kColumns = 4;
+    constexpr double kBearing = 8.5;
+    const TextLook cell{.points = 8.0, .weight = QFont::Normal, .colour = ink::kText};
     const double width = flow_.width() / kColumns;
     heading(Words::tr("Order of the passes"), kHead + 3.0 * kRow);
     std::size_t next = 0;
@@ -520,16 +524,16 @@ void OrderLayout::layPasses() {
         for (int column = 0; column < kColumns && next < passes.size(); ++column) {
             const std::size_t end = std::min(passes.size(), next + rows);
             const double x = box.left() + column * width;
-            const double inner = width - 5.0;
+            const double inner = width - 4.0;
             flow_.draw([=, part = std::vector<Pass>(passes.begin() + static_cast<std::ptrdiff_t>(next),
                                                     passes.begin() + static_cast<std::ptrdiff_t>(end))](
                            Canvas& canvas) {
                 const double top = box.top();
                 canvas.text({x + 6.5, top + 3.2}, Words::tr("No."), kLabel, Qt::AlignRight);
-                canvas.text({x + 9.0, top + 3.2}, Words::tr("Pass"), kLabel);
-                canvas.text({x + inner - 11.0, top + 3.2}, Words::tr("Length"), kLabel, Qt::AlignRight);
+                canvas.text({x + 8.5, top + 3.2}, Words::tr("Pass"), kLabel);
+                canvas.text({x + inner - kBearing, top + 3.2}, Words::tr("Length"), kLabel, Qt::AlignRight);
                 canvas.text({x + inner, top + 3.2}, Words::tr("To"), kLabel, Qt::AlignRight);
-                TextLook bold = kBody;
+                TextLook bold = cell;
                 bold.weight = QFont::DemiBold;
                 for (std::size_t i = 0; i < part.size(); ++i) {
                     const double y = top + kHead + static_cast<double>(i) * kRow;
@@ -537,9 +541,10 @@ void OrderLayout::layPasses() {
                         canvas.rectangle({x, y, inner, kRow}, ink::kGround);
                     }
                     canvas.text({x + 6.5, y + 3.0}, part[i].number, bold, Qt::AlignRight);
-                    canvas.text({x + 9.0, y + 3.0}, elided(part[i].name, inner - 34.0, kBody), kBody);
-                    canvas.text({x + inner - 11.0, y + 3.0}, part[i].length, kBody, Qt::AlignRight);
-                    canvas.text({x + inner, y + 3.0}, part[i].bearing, kBody, Qt::AlignRight);
+                    canvas.text({x + 8.5, y + 3.0}, elided(part[i].name, inner - 8.5 - kBearing - 10.0, cell),
+                                cell);
+                    canvas.text({x + inner - kBearing, y + 3.0}, part[i].length, cell, Qt::AlignRight);
+                    canvas.text({x + inner, y + 3.0}, part[i].bearing, cell, Qt::AlignRight);
                 }
             });
             next = end;

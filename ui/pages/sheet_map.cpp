@@ -23,7 +23,7 @@ struct Words {
 };
 
 constexpr double kKeyHeight = 9.0;
-constexpr double kRoom = 7.0;  ///< between the field and the edge of the map
+constexpr double kRoom = 5.0;  ///< between the field and the edge of the map
 /// Lines are drawn to a quarter of what can be seen.
 constexpr double kFinestMm = 0.025;
 
@@ -34,6 +34,7 @@ const TextLook kNameLook{.points = 7.0, .weight = QFont::Medium, .colour = ink::
 const TextLook kKeyLook{.points = 7.0, .weight = QFont::Normal, .colour = ink::kText};
 
 constexpr double kNumberHeight = 2.9;
+constexpr double kBetweenNumbers = 1.2;  ///< more than touching: so that they can be read
 constexpr double kFindingHalf = 2.1;
 constexpr double kEndHalf = 1.7;
 
@@ -218,8 +219,10 @@ void SheetMap::layNumbers(const OrderSheet& sheet, LabelPlaces& places) {
     std::vector<LabelWish> wishes;
     for (std::size_t i = 0; i < swathLines_.size(); ++i) {
         const QString text = QString::number(i + 1);
-        LabelWish wish{.places = {}, .width = textWidthMm(text, kNumberLook) + 1.6, .height = kNumberHeight};
-        for (const double share : {0.5, 0.44, 0.56, 0.38, 0.62, 0.3, 0.7, 0.22, 0.78, 0.14, 0.86}) {
+        LabelWish wish{.places = {},
+                       .width = textWidthMm(text, kNumberLook) + 1.6 + kBetweenNumbers,
+                       .height = kNumberHeight + kBetweenNumbers};
+        for (const double share : {0.5, 0.45, 0.55}) {
             wish.places.push_back(pointAt(swathLines_[i], share).place);
         }
         wishes.push_back(std::move(wish));
@@ -227,8 +230,9 @@ void SheetMap::layNumbers(const OrderSheet& sheet, LabelPlaces& places) {
     const auto placed = placeNumbers(wishes, places);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (placed[i]) {
-            numbers_.push_back(
-                {.middle = qt(*placed[i]), .text = QString::number(i + 1), .width = wishes[i].width});
+            numbers_.push_back({.middle = qt(*placed[i]),
+                                .text = QString::number(i + 1),
+                                .width = wishes[i].width - kBetweenNumbers});
         }
     }
     // Of a ring that is driven in several pieces the first one has the name.
@@ -257,8 +261,8 @@ void SheetMap::layArrows(LabelPlaces& places) {
         if (lengthM(swathLines_[i]) < kShortestMm) {
             continue;
         }
-        // Neighbours in two columns: where only some are drawn, they still tell both directions.
-        const double share = i % 2 == 0 ? 0.25 : 0.75;
+        // Near its beginning: those of both directions stand in two groups, and all of neither is left out.
+        const double share = 0.25;
         LabelWish wish{.places = {}, .width = 1.6, .height = 1.6};
         std::vector<PointOnLine> spots;
         for (const double off : {0.0, 0.06, -0.06}) {
@@ -381,7 +385,7 @@ void SheetMap::drawKey(Canvas& canvas) const {
     if (!rings_.empty()) {
         entry(Words::tr("Headland pass"), sampleLine(ink::kHeadland, 0.35, Qt::DashLine));
     }
-    entry(Words::tr("Turn"), sampleLine(ink::kTurn, 0.35));
+    entry(Words::tr("Implement up"), sampleLine(ink::kTurn, 0.35));
     if (!findings_.empty()) {
         entry(Words::tr("Finding"), [&](QPointF at) {
             drawDiamond(canvas, at + QPointF{4.6, 0.0}, QStringLiteral("1"), findings_.front().blocking, 1.8);

@@ -10,6 +10,7 @@ import Furrow.Export
 import Furrow.Layers
 import Furrow.Plan
 import Furrow.Project
+import Furrow.Report
 import Furrow.Results
 import Furrow.Settings
 
@@ -120,6 +121,7 @@ ApplicationWindow {
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
+        onPrintRequested: printDialog.open()
         onBestPlanRequested: bestPlanDialog.open()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
@@ -380,6 +382,13 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         exporter: root.session.exporter
+        planning: root.session.planning
+    }
+    PrintDialog {
+        id: printDialog
+
+        anchors.centerIn: Overlay.overlay
+        printing: root.session.printing
         planning: root.session.planning
     }
     BestPlanDialog {

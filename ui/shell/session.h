@@ -11,6 +11,7 @@
 #include "ui/project/problem.h"
 #include "ui/project/project_files.h"
 #include "ui/project/recent_files.h"
+#include "ui/report/printing.h"
 #include "ui/results/figures_model.h"
 #include "ui/results/findings_model.h"
 
@@ -38,6 +39,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::FiguresModel* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
+    Q_PROPERTY(furrow::Printing* printing READ printing CONSTANT FINAL)
 
 public:
     explicit Session(QObject* parent = nullptr);
@@ -55,6 +57,7 @@ public:
     FiguresModel* figures() { return &figures_; }
     FindingsModel* findings() { return &findings_; }
     ExportModel* exporter() { return &exporter_; }
+    Printing* printing() { return &printing_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
     void keepIn(const QString& folder);
@@ -76,6 +79,7 @@ private:
     FiguresModel figures_;
     FindingsModel findings_;
     ExportModel exporter_;
+    Printing printing_{document_};
 };
 
 }  // namespace furrow

@@ -3,6 +3,7 @@
 #include "ui/text/display.h"
 #include "ui/text/fonts.h"
 
+#include <QFont>
 #include <QGuiApplication>
 #include <QQuickStyle>
 #include <QQuickWindow>
