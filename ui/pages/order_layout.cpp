@@ -325,12 +325,14 @@ std::vector<OrderLayout::Row> OrderLayout::machineRows() const {
 
 std::vector<OrderLayout::Row> OrderLayout::planRows() const {
     const SheetFigures& figures = sheet_.figures;
-    std::vector<Row> rows{
-        {Words::tr("Operation"), operationName(sheet_.operation)},
-        {Words::tr("Headland"), inOneLine({Words::tr("%n pass(es)", nullptr, figures.headlandPasses),
-                                           metresText(figures.headlandWidth, 1)})},
-        {Words::tr("Swaths"), numberText(figures.swaths, 0)},
-        {Words::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
+    const QString headland = figures.headlandPasses > 0
+                                 ? inOneLine({Words::tr("%n pass(es)", nullptr, figures.headlandPasses),
+                                              metresText(figures.headlandWidth, 1)})
+                                 : Words::tr("none", "headland");
+    std::vector<Row> rows{{Words::tr("Operation"), operationName(sheet_.operation)},
+                          {Words::tr("Headland"), headland},
+                          {Words::tr("Swaths"), numberText(figures.swaths, 0)},
+                          {Words::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
     for (const SheetSetting& setting : sheet_.settings) {
         const QString stage = stageOf(*setting.parameter);
         const QString name = shown(setting.parameter->name);

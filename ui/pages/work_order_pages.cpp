@@ -61,16 +61,17 @@ private:
 
     void layTitle() {
         const QRectF box = flow_.take(20.0);
-        flow_.draw([box, farm = job_.farm.isEmpty() ? Words::tr("Farm") : job_.farm,
-                    count = static_cast<int>(job_.plans.size()),
-                    date = QLocale{}.toString(job_.printed.date(), QLocale::LongFormat)](Canvas& canvas) {
-            canvas.text(box.topLeft() + QPointF{0.0, 3.6}, Words::tr("Work orders"),
-                        {.points = 10.0, .weight = QFont::DemiBold, .colour = ink::kAccent});
-            canvas.text(box.topLeft() + QPointF{0.0, 11.8}, elided(farm, box.width(), kTitle), kTitle);
-            canvas.text(box.topLeft() + QPointF{0.0, 17.4},
-                        inOneLine({Words::tr("%n field(s)", nullptr, count), date}),
-                        {.points = 10.0, .weight = QFont::Normal, .colour = ink::kQuiet});
-        });
+        flow_.draw(
+            [box, farm = job_.farm.isEmpty() ? Words::tr("Farm") : job_.farm,
+             count = static_cast<int>(job_.plans.size()),
+             date = QLocale{}.toString(job_.printed.date(), QStringLiteral("d MMM yyyy"))](Canvas& canvas) {
+                canvas.text(box.topLeft() + QPointF{0.0, 3.6}, Words::tr("Work orders"),
+                            {.points = 10.0, .weight = QFont::DemiBold, .colour = ink::kAccent});
+                canvas.text(box.topLeft() + QPointF{0.0, 11.8}, elided(farm, box.width(), kTitle), kTitle);
+                canvas.text(box.topLeft() + QPointF{0.0, 17.4},
+                            inOneLine({Words::tr("%n field(s)", nullptr, count), date}),
+                            {.points = 10.0, .weight = QFont::Normal, .colour = ink::kQuiet});
+            });
     }
 
     void layHead() {
@@ -168,7 +169,8 @@ WorkOrderPages::WorkOrderPages(const PrintJob& job) : size_{paperMm(job.paper)} 
     std::ranges::move(orders.pages(), std::back_inserter(pages_));
 
     const int all = count();
-    const QString date = QLocale{}.toString(job.printed, QLocale::ShortFormat);
+    // Day and month cannot be mistaken for each other.
+    const QString date = QLocale{}.toString(job.printed, QStringLiteral("d MMM yyyy, HH:mm"));
     for (int i = 0; i < all; ++i) {
         const OrderedPlan* const plan = planOfPage[static_cast<std::size_t>(i)];
         QStringList parts{Words::tr("Furrow %1").arg(QStringLiteral(FURROW_VERSION)), date};

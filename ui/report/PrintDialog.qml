@@ -137,15 +137,6 @@ T.Popup {
                         }
                     }
                 }
-                Rectangle {
-                    width: parent.width
-                    height: Theme.hairline
-                    color: Theme.line
-                }
-                OrderForm {
-                    width: parent.width
-                    order: root.printing.order
-                }
                 Column {
                     width: parent.width
                     spacing: 5
@@ -161,6 +152,15 @@ T.Popup {
                         model: root.printing.printers.length > 0 ? root.printing.printers : [qsTr("No printer was found")]
                         chosen: root.printing.defaultPrinter
                     }
+                }
+                Rectangle {
+                    width: parent.width
+                    height: Theme.hairline
+                    color: Theme.line
+                }
+                OrderForm {
+                    width: parent.width
+                    order: root.printing.order
                 }
             }
         }

@@ -70,13 +70,6 @@ Result<void> writtenTo(const std::filesystem::path& file, const QByteArray& byte
     return writeTogether(file.parent_path(), files, job).transform([](const auto&) {});
 }
 
-Error noPaper(const QString& printer) {
-    return {.code = ErrorCode::WriteFailed,
-            .what = message("the printer {} did not take the pages", printer.toStdString()),
-            .where = {},
-            .remedy = "look whether it is on, or save a PDF and print that"};
-}
-
 }  // namespace
 
 Printing::Printing(Document& document, QObject* parent) : QObject{parent}, document_{document} {
@@ -339,27 +332,33 @@ void Printing::print(int printer) {
     }
     const QString name = printers_[printer];
     setState(State::Writing);
-    runner_.submit(
-        [this, name, pages = pages_, title = baseName()](const JobContext& job) -> JobRunner::Delivery {
-            QPrinter device{QPrinterInfo::printerInfo(name), QPrinter::HighResolution};
-            device.setFullPage(true);
-            device.setPageSize(QPageSize{pages->sizeMm(), QPageSize::Millimeter, {}, QPageSize::FuzzyMatch});
-            device.setPageMargins({});
-            device.setDocName(title);
-            const auto goOn = [&job, count = static_cast<double>(pages->count())](int page) {
-                job.report(page / count);
-                return !job.stopRequested();
-            };
-            const bool printed = paintOn(device, *pages, device.resolution() / kMmPerInch, goOn);
-            const bool stopped = job.stopRequested();
-            return [this, name, printed, stopped] {
-                if (!printed) {
-                    fail(stopped ? cancelled() : noPaper(name));
-                    return;
-                }
-                setState(State::Done, [name] { return tr("Sent to %1").arg(name); });
-            };
-        });
+    runner_.submit([this, name, pages = pages_,
+                    title = baseName()](const JobContext& job) -> JobRunner::Delivery {
+        QPrinter device{QPrinterInfo::printerInfo(name), QPrinter::HighResolution};
+        device.setFullPage(true);
+        device.setPageSize(QPageSize{pages->sizeMm(), QPageSize::Millimeter, {}, QPageSize::FuzzyMatch});
+        device.setPageMargins({});
+        device.setDocName(title);
+        const auto goOn = [&job, count = static_cast<double>(pages->count())](int page) {
+            job.report(page / count);
+            return !job.stopRequested();
+        };
+        const bool printed = paintOn(device, *pages, device.resolution() / kMmPerInch, goOn);
+        const bool stopped = job.stopRequested();
+        return [this, name, printed, stopped] {
+            if (stopped) {
+                fail(cancelled());
+                return;
+            }
+            if (!printed) {
+                setState(
+                    State::Failed, [name] { return tr("The printer %1 did not take the pages.").arg(name); },
+                    [] { return tr("Look whether it is on, or save a PDF and print that."); });
+                return;
+            }
+            setState(State::Done, [name] { return tr("Sent to %1").arg(name); });
+        };
+    });
 }
 
 void Printing::cancel() {
