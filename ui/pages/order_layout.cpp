@@ -507,12 +507,12 @@ void OrderLayout::layPasses() {
         passes.push_back(
             {headland ? Words::tr("H%1", "headland pass").arg(pass.number) : QString::number(++swath),
              headland ? Words::tr("Headland") : Words::tr("Swath %1").arg(pass.number),
-             metresText(pass.length, 0),
+             lengthText(pass.length),
              pass.bearingDeg ? Words::tr("%1°").arg(static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
                              : QString{}});
     }
     constexpr int kColumns = 4;
-    constexpr double kBearing = 8.5;
+    constexpr double kBearing = 7.8;
     const TextLook cell{.points = 8.0, .weight = QFont::Normal, .colour = ink::kText};
     const double width = flow_.width() / kColumns;
     heading(Words::tr("Order of the passes"), kHead + 3.0 * kRow);
@@ -526,13 +526,13 @@ void OrderLayout::layPasses() {
         for (int column = 0; column < kColumns && next < passes.size(); ++column) {
             const std::size_t end = std::min(passes.size(), next + rows);
             const double x = box.left() + column * width;
-            const double inner = width - 4.0;
+            const double inner = width - 3.5;
             flow_.draw([=, part = std::vector<Pass>(passes.begin() + static_cast<std::ptrdiff_t>(next),
                                                     passes.begin() + static_cast<std::ptrdiff_t>(end))](
                            Canvas& canvas) {
                 const double top = box.top();
-                canvas.text({x + 6.5, top + 3.2}, Words::tr("No."), kLabel, Qt::AlignRight);
-                canvas.text({x + 8.5, top + 3.2}, Words::tr("Pass"), kLabel);
+                canvas.text({x + 6.0, top + 3.2}, Words::tr("No."), kLabel, Qt::AlignRight);
+                canvas.text({x + 7.5, top + 3.2}, Words::tr("Pass"), kLabel);
                 canvas.text({x + inner - kBearing, top + 3.2}, Words::tr("Length"), kLabel, Qt::AlignRight);
                 canvas.text({x + inner, top + 3.2}, Words::tr("To"), kLabel, Qt::AlignRight);
                 TextLook bold = cell;
@@ -542,8 +542,8 @@ void OrderLayout::layPasses() {
                     if (i % 2 == 0) {
                         canvas.rectangle({x, y, inner, kRow}, ink::kGround);
                     }
-                    canvas.text({x + 6.5, y + 3.0}, part[i].number, bold, Qt::AlignRight);
-                    canvas.text({x + 8.5, y + 3.0}, elided(part[i].name, inner - 8.5 - kBearing - 10.0, cell),
+                    canvas.text({x + 6.0, y + 3.0}, part[i].number, bold, Qt::AlignRight);
+                    canvas.text({x + 7.5, y + 3.0}, elided(part[i].name, inner - 7.5 - kBearing - 10.0, cell),
                                 cell);
                     canvas.text({x + inner - kBearing, y + 3.0}, part[i].length, cell, Qt::AlignRight);
                     canvas.text({x + inner, y + 3.0}, part[i].bearing, cell, Qt::AlignRight);

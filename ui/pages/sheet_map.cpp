@@ -34,7 +34,8 @@ const TextLook kNameLook{.points = 7.0, .weight = QFont::Medium, .colour = ink::
 const TextLook kKeyLook{.points = 7.0, .weight = QFont::Normal, .colour = ink::kText};
 
 constexpr double kNumberHeight = 2.9;
-constexpr double kBetweenNumbers = 1.2;  ///< more than touching: so that they can be read
+constexpr double kBetweenNumbers = 0.7;  ///< more than touching: so that they can be read
+constexpr double kBeside = 4.0;
 constexpr double kFindingHalf = 2.1;
 constexpr double kEndHalf = 1.7;
 
@@ -224,6 +225,13 @@ void SheetMap::layNumbers(const OrderSheet& sheet, LabelPlaces& places) {
                        .height = kNumberHeight + kBetweenNumbers};
         for (const double share : {0.5, 0.45, 0.55}) {
             wish.places.push_back(pointAt(swathLines_[i], share).place);
+        }
+        if (i == 0 || i + 1 == swathLines_.size()) {
+            // Where the work begins and ends has its number even if that stands beside.
+            for (int eighth = 0; eighth < 8; ++eighth) {
+                wish.places.push_back(wish.places.front() +
+                                      kBeside * direction(eighth * std::numbers::pi / 4.0));
+            }
         }
         wishes.push_back(std::move(wish));
     }

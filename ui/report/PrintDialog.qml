@@ -219,7 +219,8 @@ T.Popup {
                 }
                 PushButton {
                     objectName: "print.picture"
-                    enabled: root.canWrite
+                    // A farm's first page has no map.
+                    enabled: root.canWrite && !root.printing.wholeFarm
                     text: qsTr("Save picture…")
                     onClicked: {
                         pictureDialog.selectedFile = root.printing.suggestedFile("png");

@@ -119,17 +119,26 @@ void Printing::setOpen(bool open) {
     open_ = open;
     emit openChanged();
     if (open_) {
-        printers_ = QPrinterInfo::availablePrinterNames();
-        defaultPrinter_ =
-            std::max(0, static_cast<int>(printers_.indexOf(QPrinterInfo::defaultPrinterName())));
-        emit printersChanged();
+        lookForPrinters();
         update();
     } else {
         runner_.cancel();
-        pages_.reset();
+        forgetPages();
         setState(State::Idle);
-        emit pagesChanged();
     }
+}
+
+void Printing::lookForPrinters() {
+    // A print server that is away takes its time.
+    printerLooker_.submit([this](const JobContext&) -> JobRunner::Delivery {
+        const QStringList names = QPrinterInfo::availablePrinterNames();
+        const auto usual = static_cast<int>(names.indexOf(QPrinterInfo::defaultPrinterName()));
+        return [this, names, usual] {
+            printers_ = names;
+            defaultPrinter_ = std::max(0, usual);
+            emit printersChanged();
+        };
+    });
 }
 
 void Printing::setPaper(int paper) {
@@ -171,9 +180,8 @@ void Printing::update() {
     }
     if (!title_) {
         runner_.cancel();
-        pages_.reset();
+        forgetPages();
         setState(State::Idle);
-        emit pagesChanged();
         return;
     }
     const Project& project = *document_.project();
@@ -210,6 +218,7 @@ void Printing::update() {
                 error.what = furrow::message("{}: {}", task.source->name, error.what);
                 return [this, made, error] {
                     keep(std::move(*made));
+                    forgetPages();
                     fail(error);
                 };
             }
@@ -261,6 +270,11 @@ void Printing::layPages() {
     }
     pages_ = std::make_shared<const WorkOrderPages>(job);
     setState(State::Ready);
+    emit pagesChanged();
+}
+
+void Printing::forgetPages() {
+    pages_.reset();
     emit pagesChanged();
 }
 
@@ -367,6 +381,9 @@ void Printing::cancel() {
         return;
     }
     runner_.cancel();
+    if (!writing) {
+        forgetPages();
+    }
     setState(writing && pages_ ? State::Ready : State::Stopped);
 }
 

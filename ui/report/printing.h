@@ -115,9 +115,12 @@ private:
     };
 
     const Made* madeOf(const ProjectField& field, const FieldPlan& plan) const;
+    void lookForPrinters();
     /// Makes the sheets that are missing, then the pages.
     void update();
     void layPages();
+    /// Those in view are not what was asked for.
+    void forgetPages();
     void keep(std::vector<Made> made);
     void fail(const Error& error);
     QString baseName() const;
@@ -138,6 +141,7 @@ private:
     State state_ = State::Idle;
     LazyText message_;
     LazyText remedy_;
+    JobRunner printerLooker_;
     JobRunner runner_;
 };
 

@@ -76,6 +76,9 @@ private slots:
 
         // Nothing of it has planned again; and it can be taken back.
         QCOMPARE(session_->planning()->state(), PlanState::Ready);
+        // Esc leaves the line, then the dialog.
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!item("order.rate")->hasActiveFocus());
         key(Qt::Key_Escape);
         QTRY_VERIFY(!shown("print.pdf"));
         QCOMPARE(printing().pageCount(), 0);
@@ -129,15 +132,41 @@ private slots:
             printing().state() == Printing::State::Ready && printing().pageCount() > 2 * alone, kPatienceMs);
         QTRY_VERIFY(shown("print.page.0"));
         picture(QStringLiteral("print-farm"));
+        QVERIFY(!item("print.picture")->isEnabled());
         save(folder.filePath("farm.pdf"));
         const QString table = textOf(folder.filePath("farm.pdf")).section(QChar{'\f'}, 0, 0);
         QVERIFY(table.contains("Far field") && table.contains("Total"));
     }
 
+    void aFarmThatIsStoppedIsNotWritten() {
+        openField();
+        FieldSource second = *session_->document()->project()->field()->source;
+        for (GeoPoint& point : second.parts.front().outer) {
+            point.lonDeg += 0.02;
+        }
+        session_->document()->change([] { return QString{}; },
+                                     withFields(*session_->document()->project(), {second}));
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
+        openDialog();
+        // The first field was not printed before: its sheet has to be made.
+        printing().setWholeFarm(true);
+        QCOMPARE(printing().state(), Printing::State::Making);
+        printing().cancel();
+        QCOMPARE(printing().state(), Printing::State::Stopped);
+        // Not the pages that were there before.
+        QCOMPARE(printing().pageCount(), 0);
+        QTRY_VERIFY(!item("print.pdf")->isEnabled());
+        click("print.again");
+        QTRY_VERIFY_WITH_TIMEOUT(printing().state() == Printing::State::Ready, kPatienceMs);
+        QVERIFY(printing().pageCount() > 2);
+    }
+
     void whatIsNotFinishedIsNotPrinted() {
         openField();
         openDialog();
-        session_->planning()->planAgain();
+        MachineModel& machine = *session_->planning()->machine();
+        machine.setLibraryIndex(machine.libraryIndex() == 0 ? 1 : 0);
+        // As the button does that is there while planning takes long.
         session_->planning()->cancel();
         QTRY_COMPARE(session_->planning()->state(), PlanState::OutOfDate);
         QTRY_VERIFY(shown("print.refusal"));
