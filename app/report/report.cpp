@@ -99,6 +99,7 @@ Result<PrintJob> jobOfProject(const ReportArguments& arguments, Kind kind, const
     std::vector<std::size_t> wanted;
     if (arguments.fieldId) {
         std::vector<FieldSource> sources;
+        sources.reserve(project.fields.size());
         for (const auto& field : project.fields) {
             sources.push_back(*field->source);
         }

@@ -191,7 +191,8 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
                    .order = {},
                    .others = {}};
     OrderedJson others = OrderedJson::object();
-    addMembers(others, otherMembers(json, {"id", "name", "season", "field", "machine", "settings", kWorkOrder}));
+    addMembers(others,
+               otherMembers(json, {"id", "name", "season", "field", "machine", "settings", kWorkOrder}));
     const std::string called = plan.name.empty() ? plan.id : plan.name;
 
     OrderedJson known = OrderedJson::object();

@@ -54,6 +54,7 @@ private slots:
 
     void allNumbersWhereThereIsRoom() {
         std::vector<LabelWish> wishes;
+        wishes.reserve(10);
         for (int i = 0; i < 10; ++i) {
             wishes.push_back({.places = {{50.0, 10.0 + 3.0 * i}}, .width = 5.0, .height = 2.9});
         }
@@ -66,6 +67,7 @@ private slots:
     void closeLinesAreNumberedInSteps() {
         // A millimetre apart: of every one and of every second number most overlap; 1, 5 and 10 do not.
         std::vector<LabelWish> wishes;
+        wishes.reserve(10);
         for (int i = 0; i < 10; ++i) {
             wishes.push_back({.places = {{50.0, 10.0 + i}}, .width = 5.0, .height = 2.9});
         }
