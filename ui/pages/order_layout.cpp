@@ -149,7 +149,9 @@ void OrderLayout::layHead() {
                               ? Words::tr("Work order")
                               : Words::tr("Work order %1").arg(fromStd(plan_.order.number));
     QStringList under;
-    for (const QString& part : {plan_.planName, plan_.season, operationName(sheet_.operation), farm_}) {
+    for (const QString& part :
+         {plan_.planName, plan_.season, operationName(sheet_.operation), shown(sheet_.machine.name()),
+          shortLengthText(sheet_.machine.operatingWidth()), farm_}) {
         if (!part.isEmpty()) {
             under << part;
         }
@@ -282,12 +284,14 @@ void OrderLayout::layFigures() {
     flow_.skip(2.5);
     const QRectF box = flow_.take(22.5);
     flow_.draw([box, rows = figureRows()](Canvas& canvas) {
-        constexpr int kColumns = 5;
+        constexpr std::size_t kColumns = 5;
         const double width = box.width() / kColumns;
         const double height = 11.0;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const QPointF at{box.left() + static_cast<double>(i % kColumns) * width,
-                             box.top() + static_cast<double>(i / kColumns) * height};
+            const std::size_t column = i % kColumns;
+            const std::size_t row = i / kColumns;
+            const QPointF at{box.left() + static_cast<double>(column) * width,
+                             box.top() + static_cast<double>(row) * height};
             canvas.text(at + QPointF{0.0, 3.0}, elided(rows[i].name, width - 2.0, kLabel), kLabel);
             const TextLook figure{.points = 10.5, .weight = QFont::DemiBold, .colour = ink::kText};
             canvas.text(at + QPointF{0.0, 7.9}, elided(rows[i].value, width - 1.0, figure), figure);

@@ -52,7 +52,7 @@ double hectaresOfUnit() {
 }
 
 QString nameOf(const Line& line) {
-    const QString name = OrderModel::tr(line.name);
+    QString name = OrderModel::tr(line.name);
     const bool acres = Display::instance().isImperial();
     switch (line.amount) {
         case Amount::Rate:
