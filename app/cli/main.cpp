@@ -6,6 +6,7 @@
 #include "app/cli/exit_status.h"
 #include "app/cli/list_command.h"
 #include "app/cli/plan_command.h"
+#include "app/cli/report_command.h"
 #include "planner/version.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
     addBenchCommand(app, run);
     addCompareCommand(app, run);
     addConvertCommand(app, run);
+    addReportCommand(app, run, [argv](const ReportArguments&) { return handOverToReport(argv); });
     addAuditCommand(app, run);
     addListCommand(app, run);
     try {

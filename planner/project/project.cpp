@@ -73,6 +73,7 @@ std::string freePlanId(const Project& project) {
 FieldPlan planForAnotherField(const FieldPlan& plan) {
     FieldPlan next = plan;
     next.review = {};
+    next.order = orderForAnotherPlan(plan.order);
     next.others.clear();
     for (const Parameter* parameter : allParameters()) {
         const bool namesPlaces = parameter->kind == ParameterKind::Line ||

@@ -4,6 +4,7 @@
 #include "planner/field/field.h"
 #include "planner/machine/machine.h"
 #include "planner/project/review.h"
+#include "planner/project/work_order.h"
 #include "planner/settings/settings.h"
 
 #include <cstddef>
@@ -23,6 +24,7 @@ struct FieldPlan {
     Machine machine;
     Settings settings;
     Review review;
+    WorkOrder order = {};
     /// Members of a file that this version does not know, as a JSON object; empty for none.
     std::string others;
 

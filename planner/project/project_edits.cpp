@@ -200,11 +200,22 @@ Project withoutGate(Project project, std::size_t gate) {
     });
 }
 
+Project withWorkOrder(Project project, WorkOrder order) {
+    if (project.field() == nullptr) {
+        return project;
+    }
+    const std::size_t current = project.currentPlan;
+    return withField(std::move(project), [&](ProjectField& field) {
+        field.plans[std::min(current, field.plans.size() - 1)].order = std::move(order);
+    });
+}
+
 Project withPlanCopy(Project project, const std::string& name) {
     FieldPlan copy = project.plan();
     copy.id = freePlanId(project);
     copy.name = name;
     copy.review = {};
+    copy.order = orderForAnotherPlan(copy.order);
     project = withField(std::move(project), [&copy](ProjectField& field) { field.plans.push_back(copy); });
     const std::size_t field = project.currentField;
     const std::size_t last = project.field() != nullptr ? project.field()->plans.size() - 1 : 0;

@@ -42,6 +42,8 @@ Project withoutGate(Project project, std::size_t gate);
 Project withPlanCopy(Project project, const std::string& name);
 /// Without the current plan; the last one stays.
 Project withoutPlan(Project project);
+/// With other work order data in the current plan. Nothing to do without a field.
+Project withWorkOrder(Project project, WorkOrder order);
 Project withFieldName(Project project, const std::string& name);
 Project withPlanName(Project project, const std::string& name, const std::string& season);
 /// With this review of the current plan.

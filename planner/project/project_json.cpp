@@ -162,12 +162,17 @@ Result<void> applySetting(Settings& settings, const std::string& key, const Orde
     return settings.set(**parameter, text == "auto" ? SettingValue{Auto{}} : SettingValue{text});
 }
 
+constexpr const char* kWorkOrder = "work_order";
+
 OrderedJson planOf(const FieldPlan& plan) {
     OrderedJson json{{"id", plan.id}, {"name", plan.name}, {"season", plan.season}};
     json["machine"] = OrderedJson::parse(machineJson(plan.machine.spec()));
     json["settings"] = settingsOf(plan.settings);
     if (!plan.review.empty()) {
         json["review"] = reviewJson(plan.review);
+    }
+    if (plan.order != WorkOrder{}) {
+        json[kWorkOrder] = OrderedJson::parse(workOrderJson(plan.order));
     }
     if (!plan.others.empty()) {
         const OrderedJson others = OrderedJson::parse(plan.others);
@@ -188,10 +193,11 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
                    .machine = machineLibrary().front(),
                    .settings = {},
                    .review = json.contains("review") ? reviewFrom(json.at("review")) : Review{},
+                   .order = {},
                    .others = {}};
     OrderedJson others = OrderedJson::object();
-    addMembers(others,
-               otherMembers(json, {"id", "name", "season", "field", "machine", "settings", "review"}));
+    addMembers(others, otherMembers(json, {"id", "name", "season", "field", "machine", "settings", "review",
+                                           kWorkOrder}));
     const std::string called = plan.name.empty() ? plan.id : plan.name;
 
     OrderedJson known = OrderedJson::object();
@@ -220,6 +226,15 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
     }
     if (!unused.empty()) {
         others["settings"] = unused;
+    }
+    if (json.contains(kWorkOrder)) {
+        // One that cannot be read stays in the file as it is.
+        if (const auto order = parseWorkOrder(textOf(json.at(kWorkOrder)), called)) {
+            plan.order = *order;
+        } else {
+            others[kWorkOrder] = json.at(kWorkOrder);
+            notes.push_back(message("{}: its work order is not used: {}", called, order.error().what));
+        }
     }
     plan.others = others.empty() ? std::string{} : textOf(others);
     return plan;

@@ -28,6 +28,7 @@ QtObject {
     signal saveRequested()
     signal saveAsRequested()
     signal exportRequested()
+    signal printRequested()
     signal bestPlanRequested()
     signal findingRequested(by: int)
     signal commentRequested(atPlace: bool)
@@ -138,6 +139,15 @@ QtObject {
             keywords: qsTr("ISOXML USB terminal")
             enabled: root.farm.hasField
             onTriggered: root.exportRequested()
+        },
+        Command {
+            objectName: "command.print"
+            group: root.fileGroup
+            text: qsTr("Print the work order…")
+            shortcut: "Ctrl+P"
+            keywords: qsTr("print pdf report work order picture printer")
+            enabled: root.farm.hasField
+            onTriggered: root.printRequested()
         },
         Command {
             objectName: "command.quit"

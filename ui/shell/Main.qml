@@ -11,6 +11,7 @@ import Furrow.Export
 import Furrow.Layers
 import Furrow.Plan
 import Furrow.Project
+import Furrow.Report
 import Furrow.Results
 import Furrow.Review
 import Furrow.Settings
@@ -127,6 +128,7 @@ ApplicationWindow {
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
+        onPrintRequested: printDialog.open()
         onBestPlanRequested: bestPlanDialog.open()
         onFindingRequested: by => root.stepFinding(by)
         onCommentRequested: atPlace => root.comment(atPlace)
@@ -467,6 +469,13 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         exporter: root.session.exporter
+        planning: root.session.planning
+    }
+    PrintDialog {
+        id: printDialog
+
+        anchors.centerIn: Overlay.overlay
+        printing: root.session.printing
         planning: root.session.planning
     }
     BestPlanDialog {

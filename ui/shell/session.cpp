@@ -40,11 +40,12 @@ void Session::showResults() {
 void Session::offerExport() {
     const PlanState state = planning_.state();
     review_.setPlan(isFinished(state) ? shown_.plan() : nullptr);
-    exporter_.setPlan(
+    const PlanTitle title =
         isFinished(state)
             ? PlanTitle{.plan = shown_.plan(), .name = farm_.ownName(), .finished = shown_.finished()}
-            : PlanTitle{},
-        state);
+            : PlanTitle{};
+    exporter_.setPlan(title, state);
+    printing_.setPlan(title, state);
 }
 
 }  // namespace furrow

@@ -12,6 +12,7 @@
 #include "ui/project/problem.h"
 #include "ui/project/project_files.h"
 #include "ui/project/recent_files.h"
+#include "ui/report/printing.h"
 #include "ui/results/figures_model.h"
 #include "ui/results/findings_model.h"
 #include "ui/results/plan_change.h"
@@ -44,6 +45,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::DriveThrough* drive READ drive CONSTANT FINAL)
     Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
+    Q_PROPERTY(furrow::Printing* printing READ printing CONSTANT FINAL)
 
 public:
     explicit Session(QObject* parent = nullptr);
@@ -64,6 +66,7 @@ public:
     DriveThrough* drive() { return &drive_; }
     ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
+    Printing* printing() { return &printing_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
     void keepIn(const QString& folder);
@@ -88,6 +91,7 @@ private:
     DriveThrough drive_{shown_};
     ReviewModel review_{document_};
     ExportModel exporter_;
+    Printing printing_{document_};
 };
 
 }  // namespace furrow

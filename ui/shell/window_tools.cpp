@@ -1,9 +1,9 @@
 #include "ui/shell/window_tools.h"
 
 #include "ui/text/display.h"
+#include "ui/text/fonts.h"
 
-#include <QDir>
-#include <QFontDatabase>
+#include <QFont>
 #include <QGuiApplication>
 #include <QQuickStyle>
 #include <QQuickWindow>
@@ -29,10 +29,7 @@ void prepareWindow() {
     // graphics card.
     QQuickWindow::setTextRenderType(QQuickWindow::NativeTextRendering);
     QQuickStyle::setStyle(QStringLiteral("Fusion"));
-    const QDir fonts{QStringLiteral(":/furrow/fonts")};
-    for (const QString& file : fonts.entryList()) {
-        QFontDatabase::addApplicationFont(fonts.filePath(file));
-    }
+    loadFonts();
     Display::instance();
     QFont font{QStringLiteral("Inter")};
     font.setPixelSize(13);
