@@ -375,6 +375,110 @@
         <source>quickest optimise compare alternatives</source>
         <translation>schnellster optimieren vergleichen Alternativen</translation>
     </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Arbeitsauftrag drucken …</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>drucken PDF Bericht Arbeitsauftrag Bild Drucker</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Plan abfahren</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Fahrt anhalten</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>fahren abspielen anhalten simulieren Maschine</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Ab der Auswahl fahren</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>fahren abspielen hier Spur Wende</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Schneller fahren</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>Tempo Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Langsamer fahren</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Der Maschine folgen</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>fahren Karte Mitte</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Leiste zum Abfahren</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>fahren abspielen Regler</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Stelle kommentieren…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>Durchsicht Notiz Bemerkung Stelle</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Ganzen Plan kommentieren…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>Durchsicht Notiz Bemerkung</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Zur Durchsicht geben…</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>Lohnunternehmer teilen Datei zustimmen</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Zurückgekommene Durchsicht übernehmen…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>zusammenführen Kommentare Lohnunternehmer</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Nächster Befund</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>Problem prüfen durchgehen</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Voriger Befund</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>Problem prüfen zurück</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -509,16 +613,89 @@
 <context>
     <name>CommandPalette</name>
     <message>
-        <source>Search commands</source>
-        <translation>Befehle suchen</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There is no such command</source>
-        <translation>Diesen Befehl gibt es nicht</translation>
+        <source>Search commands and settings</source>
+        <translation>Befehle und Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>There is no command and no setting of that name</source>
+        <translation>Es gibt keinen Befehl und keine Einstellung dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>CommentPins</name>
+    <message>
+        <source>Comment %1: %2</source>
+        <translation>Kommentar %1: %2</translation>
+    </message>
+    <message>
+        <source>Click the place that you want to comment on. Esc ends it.</source>
+        <translation>Klicken Sie auf die Stelle, die Sie kommentieren wollen. Esc beendet es.</translation>
+    </message>
+</context>
+<context>
+    <name>CommentRow</name>
+    <message>
+        <source>Comment %1 by %2: %3</source>
+        <translation>Kommentar %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Of a plan before the last change</source>
+        <translation>Zu einem Plan vor der letzten Änderung</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Erledigt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>DriveBar</name>
+    <message>
+        <source>Drive-through</source>
+        <translation>Abfahren</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Plan abfahren</translation>
+    </message>
+    <message>
+        <source>Moment of the drive</source>
+        <translation>Zeitpunkt der Fahrt</translation>
+    </message>
+    <message>
+        <source>Pace: %1 times as fast</source>
+        <translation>Tempo: %1-mal so schnell</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Let the map rest</source>
+        <translation>Karte ruhen lassen</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Der Maschine folgen</translation>
+    </message>
+    <message>
+        <source>Hide the drive-through</source>
+        <translation>Abfahren ausblenden</translation>
     </message>
 </context>
 <context>
@@ -742,6 +919,53 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Hinweis %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Apply: %1</source>
+        <translation>Anwenden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HeadingChart</name>
+    <message>
+        <source>Time by</source>
+        <translation>Zeit nach</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Time by %1</source>
+        <translation>Zeit nach %1</translation>
+    </message>
+    <message>
+        <source>Directions of swaths and their times</source>
+        <translation>Richtungen der Spuren und ihre Zeiten</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 at least</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>Let Furrow search the direction</source>
+        <translation>Richtung von Furrow suchen lassen</translation>
     </message>
 </context>
 <context>
@@ -1080,6 +1304,10 @@
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
+    <message>
+        <source>Drive from here</source>
+        <translation>Ab hier fahren</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -1376,6 +1604,13 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+</context>
+<context>
     <name>OrderRow</name>
     <message>
         <source>%1. Swath %2, %3</source>
@@ -1388,6 +1623,29 @@
     <message>
         <source>Drive swath %1 the other way</source>
         <translation>Spur %1 andersherum fahren</translation>
+    </message>
+</context>
+<context>
+    <name>PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Planning for the pages …</source>
+        <translation>Für die Seiten wird geplant …</translation>
+    </message>
+    <message>
+        <source>Stopped before there were pages.</source>
+        <translation>Angehalten, bevor es Seiten gab.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
     </message>
 </context>
 <context>
@@ -5446,6 +5704,248 @@
         <source>swath %1 is driven first</source>
         <translation>Spur %1 wird zuerst gefahren</translation>
     </message>
+    <message>
+        <source>%1 are driven outside of the field</source>
+        <translation>%1 werden außerhalb des Feldes befahren</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 more than the longest edge (%3)</source>
+        <translation>%1 kostet %2 mehr als der längste Rand (%3)</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 is as quick as the longest edge (%2)</source>
+        <translation>%1 ist so schnell wie der längste Rand (%2)</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no amount</source>
+        <translation>%1 eines Arbeitsauftrags ist keine Menge</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no text</source>
+        <translation>%1 eines Arbeitsauftrags ist kein Text</translation>
+    </message>
+    <message>
+        <source>%1 runs along the longest edge</source>
+        <translation>%1 läuft am längsten Rand entlang</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 against the longest edge (%3)</source>
+        <translation>%1 spart %2 gegenüber dem längsten Rand (%3)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 each</source>
+        <translation>%1 × %2, je %3</translation>
+    </message>
+    <message>
+        <source>%1: a turn of this machine, with a radius of %2, needs %3.</source>
+        <translation>%1: eine Wendung dieser Maschine mit %2 Radius braucht %3.</translation>
+    </message>
+    <message>
+        <source>%1: a turn to the next swath would need %2, so turns are made in other ways.</source>
+        <translation>%1: eine Wendung in die nächste Spur bräuchte %2, darum wird anders gewendet.</translation>
+    </message>
+    <message>
+        <source>%1: its work order is not used: %2</source>
+        <translation>%1: Der Arbeitsauftrag wird nicht verwendet: %2</translation>
+    </message>
+    <message>
+        <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
+        <translation>%1: das Feld ist zu schmal für die %2, die eine Wendung dieser Maschine braucht.</translation>
+    </message>
+    <message>
+        <source>%1; the machine keeps %2 from its edge at least.</source>
+        <translation>%1; die Maschine bleibt mindestens %2 von seinem Rand.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n Teilfläche</numerusform>
+            <numerusform>%n Teilflächen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes of %1</source>
+        <translation>
+            <numerusform>%n Spur von %1</numerusform>
+            <numerusform>%n Spuren von %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths</source>
+        <translation>
+            <numerusform>%n Spur</numerusform>
+            <numerusform>%n Spuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
+        <translation>In %1 Stücke geteilt, wo Spuren unterbrochen sind, verbunden zu %2.</translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
+        <translation>In %1 Stücke geteilt, wo Spuren unterbrochen sind; verbunden zu %2 spart das %3 an Wendungen und Wegen.</translation>
+    </message>
+    <message>
+        <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
+        <translation>Ränder, an denen Spuren entlanglaufen, bekommen %1, Ränder, an denen sie enden, bis %2: eine Wendung dieser Maschine braucht %3.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary, as chosen.</source>
+        <translation>Alles bleibt %1 von der Grenze, wie gewählt.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
+        <translation>Alles bleibt %1 von der Grenze: genauer ist nicht bekannt, wo sie verläuft.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Keine Richtung hat weniger als %n Spur.</numerusform>
+            <numerusform>Keine Richtung hat weniger als %n Spuren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried covers more: %1 inside the headland.</source>
+        <translation>Keine geprüfte Richtung bearbeitet mehr: %1 innerhalb des Vorgewendes.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading that was tried has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Keine geprüfte Richtung hat weniger als %n Spur.</numerusform>
+            <numerusform>Keine geprüfte Richtung hat weniger als %n Spuren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried has shorter swaths: %1.</source>
+        <translation>Keine geprüfte Richtung hat kürzere Spuren: %1.</translation>
+    </message>
+    <message>
+        <source>No heading that was tried works less land twice: %1.</source>
+        <translation>Keine geprüfte Richtung bearbeitet weniger Fläche doppelt: %1.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
+        <translation>Keine Reihenfolge dieser Spuren kann mehr als %1 der Wendungen sparen, oder %2 von allem.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths is better; that is proved.</source>
+        <translation>Keine Reihenfolge dieser Spuren ist besser; das ist bewiesen.</translation>
+    </message>
+    <message>
+        <source>Nothing divides the swaths: one cell.</source>
+        <translation>Nichts teilt die Spuren: eine Teilfläche.</translation>
+    </message>
+    <message>
+        <source>Nothing stands outside of the field</source>
+        <translation>Nichts steht außerhalb des Feldes</translation>
+    </message>
+    <message>
+        <source>One pass all round works the whole field.</source>
+        <translation>Eine Runde bearbeitet das ganze Feld.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <translation>
+            <numerusform>Ecken oder Hindernisse unterbrechen die Spuren: %n Teilfläche.</numerusform>
+            <numerusform>Ecken oder Hindernisse unterbrechen die Spuren: %n Teilflächen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The longest way without work, %1, follows %2.</source>
+        <translation>Der längste Weg ohne Arbeit, %1, folgt auf %2.</translation>
+    </message>
+    <message>
+        <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
+        <translation>Ohne Vorgewende, wie gewählt. Wendungen reichen %1 über die Enden der Spuren hinaus.</translation>
+    </message>
+    <message>
+        <source>Turns take %1 less than with the pattern “%2” (%3).</source>
+        <translation>Wendungen kosten %1 weniger als mit dem Muster „%2“ (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take %1 more than with the pattern “%2” (%3).</source>
+        <translation>Wendungen kosten %1 mehr als mit dem Muster „%2“ (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take about as much as with the pattern “%1”.</source>
+        <translation>Wendungen kosten etwa so viel wie mit dem Muster „%1“.</translation>
+    </message>
+    <message>
+        <source>a member that every plan has is missing or of another kind</source>
+        <translation>ein Eintrag, den jeder Plan hat, fehlt oder ist von anderer Art</translation>
+    </message>
+    <message>
+        <source>a work order is a JSON object, and this is none</source>
+        <translation>ein Arbeitsauftrag ist ein JSON-Objekt, und dies ist keines</translation>
+    </message>
+    <message>
+        <source>bulb turn</source>
+        <translation>Birnenwende</translation>
+    </message>
+    <message>
+        <source>by this estimate %1 would save %2</source>
+        <translation>nach dieser Schätzung würde %1 %2 sparen</translation>
+    </message>
+    <message>
+        <source>fishtail turn</source>
+        <translation>Fischschwanzwende</translation>
+    </message>
+    <message>
+        <source>give a number that is not negative, or leave it out</source>
+        <translation>eine Zahl angeben, die nicht negativ ist, oder es weglassen</translation>
+    </message>
+    <message>
+        <source>it is draft, issued, in_progress or done</source>
+        <translation>er ist draft, issued, in_progress oder done</translation>
+    </message>
+    <message>
+        <source>no heading is quicker</source>
+        <translation>keine Richtung ist schneller</translation>
+    </message>
+    <message>
+        <source>no plan of this project was sent for this review</source>
+        <translation>kein Plan dieses Projekts wurde für diese Durchsicht verschickt</translation>
+    </message>
+    <message>
+        <source>open the project that the plan was sent from, or open the file by itself</source>
+        <translation>öffnen Sie das Projekt, aus dem der Plan kam, oder die Datei für sich</translation>
+    </message>
+    <message>
+        <source>put it in quotation marks</source>
+        <translation>in Anführungszeichen setzen</translation>
+    </message>
+    <message>
+        <source>see the README for the members of a work order</source>
+        <translation>die README nennt die Angaben eines Arbeitsauftrags</translation>
+    </message>
+    <message>
+        <source>there is no such status of a work order</source>
+        <translation>diesen Status eines Arbeitsauftrags gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no way to drive</source>
+        <translation>es gibt keinen Weg zu fahren</translation>
+    </message>
+    <message>
+        <source>turn on the spot</source>
+        <translation>Drehung auf der Stelle</translation>
+    </message>
+    <message>
+        <source>turn with reversing</source>
+        <translation>Wende mit Rückwärtsfahrt</translation>
+    </message>
+    <message>
+        <source>way straight on</source>
+        <translation>Weg geradeaus</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5480,6 +5980,92 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>PrintDialog</name>
+    <message>
+        <source>Print the work order</source>
+        <translation>Arbeitsauftrag drucken</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Neu planen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
+        <translation>
+            <numerusform>%n Problem in diesem Plan: Er kann so nicht gefahren werden. Das steht auch auf den Seiten.</numerusform>
+            <numerusform>%n Probleme in diesem Plan: Er kann so nicht gefahren werden. Das steht auch auf den Seiten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pages of</source>
+        <translation>Seiten für</translation>
+    </message>
+    <message>
+        <source>This field</source>
+        <translation>Dieser Schlag</translation>
+    </message>
+    <message>
+        <source>The whole farm (%1)</source>
+        <translation>Der ganze Betrieb (%1)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>No printer was found</source>
+        <translation>Kein Drucker gefunden</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Save the work order</source>
+        <translation>Arbeitsauftrag speichern</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Save the page with the map as a picture</source>
+        <translation>Seite mit der Karte als Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +6164,111 @@
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
         <translation>In diesem Plan wurde nichts gefunden: Alles ist fahrbar.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDialogs</name>
+    <message>
+        <source>Send for review</source>
+        <translation>Zur Durchsicht geben</translation>
+    </message>
+    <message>
+        <source>Review files (%1)</source>
+        <translation>Durchsichtsdateien (%1)</translation>
+    </message>
+    <message>
+        <source>Take in what came back</source>
+        <translation>Zurückgekommenes übernehmen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSection</name>
+    <message numerus="yes">
+        <source>Review · %n open comment(s)</source>
+        <translation>
+            <numerusform>Durchsicht · %n offener Kommentar</numerusform>
+            <numerusform>Durchsicht · %n offene Kommentare</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <source>The plan has changed since.</source>
+        <translation>Der Plan hat sich seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>At the place that you clicked:</source>
+        <translation>An der angeklickten Stelle:</translation>
+    </message>
+    <message>
+        <source>On the whole plan:</source>
+        <translation>Zum ganzen Plan:</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>What should be seen to?</source>
+        <translation>Was ist zu beachten?</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Ihr Name</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>On a place…</source>
+        <translation>Zu einer Stelle…</translation>
+    </message>
+    <message>
+        <source>On the whole plan…</source>
+        <translation>Zum ganzen Plan…</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Zustimmen</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Änderungen wünschen</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Weitergeben…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Zur Durchsicht geben…</translation>
+    </message>
+    <message>
+        <source>Take in what came back…</source>
+        <translation>Zurückgekommenes übernehmen…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +6597,415 @@
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Several moves</source>
+        <translation>Mehrere Züge</translation>
+    </message>
+</context>
+<context>
+    <name>WorkOrderPages</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <comment>work order</comment>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <comment>work order</comment>
+        <translation>Erteilt</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <comment>work order</comment>
+        <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <comment>work order</comment>
+        <translation>Fertig</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not drivable: %n problem(s)</source>
+        <translation>
+            <numerusform>Nicht befahrbar: %n Problem</numerusform>
+            <numerusform>Nicht befahrbar: %n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Arbeitsauftrag</translation>
+    </message>
+    <message>
+        <source>Work order %1</source>
+        <translation>Arbeitsauftrag %1</translation>
+    </message>
+    <message>
+        <source>%1/ac</source>
+        <translation>%1/ac</translation>
+    </message>
+    <message>
+        <source>%1/ha</source>
+        <translation>%1/ha</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kunde</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Adresse des Schlags</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Fahrer</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Rate and total</source>
+        <translation>Aufwandmenge und Summe</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <comment>rate and total</comment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Where the work starts</source>
+        <translation>Wo die Arbeit beginnt</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Zufahrt</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Gefahren</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Arbeiten</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Doppelt bearbeitet</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Außerhalb des Schlags</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Kraftstoff</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>Above the best order</source>
+        <translation>Über der besten Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Working width</source>
+        <translation>Arbeitsbreite</translation>
+    </message>
+    <message>
+        <source>Width in turns</source>
+        <translation>Breite beim Wenden</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>Wenderadius</translation>
+    </message>
+    <message>
+        <source>Speed at work</source>
+        <translation>Arbeitsgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed in turns</source>
+        <translation>Wendegeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Implement</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>trailed</source>
+        <translation>gezogen</translation>
+    </message>
+    <message>
+        <source>mounted</source>
+        <translation>angebaut</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n Spur</numerusform>
+            <numerusform>%n Spuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>headland</comment>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Arbeitsgang</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Vorgewende</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Kept free at the edge</source>
+        <translation>Abstand zur Feldgrenze</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Plan and settings</source>
+        <translation>Plan und Einstellungen</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>Acres worked</source>
+        <translation>Bearbeitete Acres</translation>
+    </message>
+    <message>
+        <source>Hectares worked</source>
+        <translation>Bearbeitete Hektar</translation>
+    </message>
+    <message>
+        <source>Hours</source>
+        <translation>Stunden</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>of the work</comment>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Unterschrift</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>None: the plan can be driven as drawn.</source>
+        <translation>Keine: Der Plan kann so gefahren werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the window and in summary.json</source>
+        <translation>
+            <numerusform>und %n weiterer, im Fenster und in summary.json</numerusform>
+            <numerusform>und %n weitere, im Fenster und in summary.json</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>count and kind of turns</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse</source>
+        <translation>%1 rückwärts</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Wendungen</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <comment>headland pass</comment>
+        <translation>V%1</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Spur %1</translation>
+    </message>
+    <message>
+        <source>Order of the passes</source>
+        <translation>Reihenfolge der Spuren</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>This plan&apos;s path.csv has the SHA-256 sum below. A file with another sum is another plan.</source>
+        <translation>Die path.csv dieses Plans hat die SHA-256-Summe unten. Eine Datei mit anderer Summe ist ein anderer Plan.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>1 : %1</source>
+        <comment>scale of a map</comment>
+        <translation>1 : %1</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Swath</source>
+        <translation>Spur</translation>
+    </message>
+    <message>
+        <source>Headland pass</source>
+        <translation>Vorgewendespur</translation>
+    </message>
+    <message>
+        <source>Implement up</source>
+        <translation>Gerät ausgehoben</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Betrieb</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Arbeitsaufträge</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag</numerusform>
+            <numerusform>%n Schläge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Not drivable</source>
+        <translation>Nicht befahrbar</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Gesamt</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>furrow::BestSearch</name>
     <message>
         <source>Take the best plan</source>
@@ -5971,6 +7071,53 @@
     <message>
         <source>%1 quicker</source>
         <translation>%1 schneller</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DriveThrough</name>
+    <message>
+        <source>Swath %1, %2 of %3</source>
+        <translation>Spur %1, %2 von %3</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>implement down</source>
+        <translation>Gerät unten</translation>
+    </message>
+    <message>
+        <source>implement folded</source>
+        <translation>Gerät geklappt</translation>
+    </message>
+    <message>
+        <source>implement up</source>
+        <translation>Gerät oben</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 erledigt</translation>
+    </message>
+    <message>
+        <source>wheels straight</source>
+        <translation>Räder gerade</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° links</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° rechts</translation>
+    </message>
+    <message>
+        <source>tank %1</source>
+        <translation>Tank %1</translation>
+    </message>
+    <message>
+        <source>tank empty</source>
+        <translation>Tank leer</translation>
     </message>
 </context>
 <context>
@@ -6266,6 +7413,66 @@
     </message>
 </context>
 <context>
+    <name>furrow::FindingsModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>keine Probleme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Before: %2. Now: %3.</source>
+        <translation>%1. Vorher: %2. Jetzt: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::HeadingChoice</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>no swath fits</source>
+        <translation>keine Spur passt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n Spur</numerusform>
+            <numerusform>%n Spuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 turning</source>
+        <translation>%1 Wenden</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 doppelt</translation>
+    </message>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 ausgelassen</translation>
+    </message>
+    <message>
+        <source>Swaths along %1</source>
+        <translation>Spuren in Richtung %1</translation>
+    </message>
+    <message>
+        <source>Search the heading</source>
+        <translation>Richtung suchen</translation>
+    </message>
+</context>
+<context>
     <name>furrow::ImageryModel</name>
     <message>
         <source>%1: %2</source>
@@ -6314,6 +7521,73 @@
         <source>auto · %1</source>
         <translation>auto · %1</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::OrderModel</name>
+    <message>
+        <source>Order number</source>
+        <translation>Auftragsnummer</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kunde</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Adresse des Schlags</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Fahrer</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Aufwandmenge</translation>
+    </message>
+    <message>
+        <source>Unit of the rate</source>
+        <translation>Einheit der Aufwandmenge</translation>
+    </message>
+    <message>
+        <source>Area worked</source>
+        <translation>Bearbeitete Fläche</translation>
+    </message>
+    <message>
+        <source>Hours worked</source>
+        <translation>Arbeitsstunden</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>%1 per acre</source>
+        <translation>%1 je Acre</translation>
+    </message>
+    <message>
+        <source>%1 per hectare</source>
+        <translation>%1 je Hektar</translation>
+    </message>
+    <message>
+        <source>Change the work order</source>
+        <translation>Arbeitsauftrag ändern</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ParameterModel</name>
@@ -6324,6 +7598,33 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanChange</name>
+    <message>
+        <source>time %1</source>
+        <translation>Zeit %1</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>Weg %1</translation>
+    </message>
+    <message>
+        <source>covered %1</source>
+        <translation>bearbeitet %1</translation>
+    </message>
+    <message>
+        <source>worked twice %1</source>
+        <translation>doppelt bearbeitet %1</translation>
+    </message>
+    <message>
+        <source>With the last change: the same time, length and area.</source>
+        <translation>Mit der letzten Änderung: gleiche Zeit, Länge und Fläche.</translation>
+    </message>
+    <message>
+        <source>With the last change: %1</source>
+        <translation>Mit der letzten Änderung: %1</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +7694,49 @@
             <numerusform>%n Problem</numerusform>
             <numerusform>%n Probleme</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::Printing</name>
+    <message>
+        <source>There is no field yet, and no plan to print.</source>
+        <translation>Es gibt noch keinen Schlag und keinen Plan zum Drucken.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be printed when it is finished.</source>
+        <translation>Der Plan wird noch erstellt. Er kann gedruckt werden, wenn er fertig ist.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date. Plan again to print it.</source>
+        <translation>Der Plan ist veraltet. Neu planen, um ihn zu drucken.</translation>
+    </message>
+    <message>
+        <source>There is no plan to print. The message on the map says why.</source>
+        <translation>Es gibt keinen Plan zum Drucken. Die Meldung auf der Karte sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Arbeitsauftrag</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Arbeitsaufträge</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The printer %1 did not take the pages.</source>
+        <translation>Der Drucker %1 hat die Seiten nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>Look whether it is on, or save a PDF and print that.</source>
+        <translation>Prüfen, ob er eingeschaltet ist, oder ein PDF speichern und dieses drucken.</translation>
+    </message>
+    <message>
+        <source>Sent to %1</source>
+        <translation>An %1 gesendet</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +7869,92 @@
             <numerusform>%n Schlag</numerusform>
             <numerusform>%n Schläge</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ReviewModel</name>
+    <message>
+        <source>Only a finished plan of what the panels show can be sent.</source>
+        <translation>Nur ein fertiger Plan dessen, was die Felder zeigen, kann verschickt werden.</translation>
+    </message>
+    <message>
+        <source>Approved: %1</source>
+        <translation>Zugestimmt: %1</translation>
+    </message>
+    <message>
+        <source>Changes wanted: %1</source>
+        <translation>Änderungen gewünscht: %1</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Remove a comment</source>
+        <translation>Kommentar entfernen</translation>
+    </message>
+    <message>
+        <source>Settle a comment</source>
+        <translation>Kommentar erledigen</translation>
+    </message>
+    <message>
+        <source>Open a comment again</source>
+        <translation>Kommentar wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Approve the plan</source>
+        <translation>Dem Plan zustimmen</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Änderungen wünschen</translation>
+    </message>
+    <message>
+        <source>Take the verdict back</source>
+        <translation>Urteil zurücknehmen</translation>
+    </message>
+    <message>
+        <source>review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Send for review</source>
+        <translation>Zur Durchsicht geben</translation>
+    </message>
+    <message>
+        <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
+        <translation>Geschrieben: %1. Wer Furrow hat, kann die Datei öffnen, kommentieren und zurückgeben.</translation>
+    </message>
+    <message>
+        <source>Take in a review</source>
+        <translation>Durchsicht übernehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new comment(s)</source>
+        <translation>
+            <numerusform>%n neuer Kommentar</numerusform>
+            <numerusform>%n neue Kommentare</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The review was brought up to date</source>
+        <translation>Die Durchsicht ist auf neuem Stand</translation>
+    </message>
+    <message>
+        <source>Nothing new in this review</source>
+        <translation>Nichts Neues in dieser Durchsicht</translation>
+    </message>
+    <message>
+        <source>%1. The plan has changed since it was sent.</source>
+        <translation>%1. Der Plan hat sich seit dem Versand geändert.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +8097,10 @@
     <message>
         <source>turns within %1 of the best</source>
         <translation>Wendungen: höchstens +%1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

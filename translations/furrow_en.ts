@@ -72,12 +72,63 @@
     </message>
 </context>
 <context>
+    <name>PrintDialog</name>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
+        <translation>
+            <numerusform>%n problem in this plan: it cannot be driven as drawn. The pages say so too.</numerusform>
+            <numerusform>%n problems in this plan: it cannot be driven as drawn. The pages say so too.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ResultsPanel</name>
     <message numerus="yes">
         <source>%n finding(s)</source>
         <translation>
             <numerusform>%n finding</numerusform>
             <numerusform>%n findings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSection</name>
+    <message numerus="yes">
+        <source>Review · %n open comment(s)</source>
+        <translation>
+            <numerusform>Review · %n open comment</numerusform>
+            <numerusform>Review · %n open comments</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>WorkOrderPages</name>
+    <message numerus="yes">
+        <source>Not drivable: %n problem(s)</source>
+        <translation>
+            <numerusform>Not drivable: %n problem</numerusform>
+            <numerusform>Not drivable: %n problems</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n pass</numerusform>
+            <numerusform>%n passes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the window and in summary.json</source>
+        <translation>
+            <numerusform>and %n more, in the window and in summary.json</numerusform>
+            <numerusform>and %n more, in the window and in summary.json</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n field</numerusform>
+            <numerusform>%n fields</numerusform>
         </translation>
     </message>
 </context>
@@ -119,6 +170,26 @@
     </message>
 </context>
 <context>
+    <name>furrow::FindingsModel</name>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::HeadingChoice</name>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n swath</numerusform>
+            <numerusform>%n swaths</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>furrow::Planning</name>
     <message numerus="yes">
         <source>%n field(s) in this file</source>
@@ -142,6 +213,16 @@
         <translation>
             <numerusform>%n field</numerusform>
             <numerusform>%n fields</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ReviewModel</name>
+    <message numerus="yes">
+        <source>%n new comment(s)</source>
+        <translation>
+            <numerusform>%n new comment</numerusform>
+            <numerusform>%n new comments</numerusform>
         </translation>
     </message>
 </context>

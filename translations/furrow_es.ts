@@ -375,6 +375,110 @@
         <source>quickest optimise compare alternatives</source>
         <translation>más rápido optimizar comparar alternativas</translation>
     </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Imprimir la orden de trabajo…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>imprimir PDF informe orden de trabajo imagen impresora</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Recorrer el plan</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Pausar el recorrido</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>recorrer reproducir pausar simular máquina</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Recorrer desde lo seleccionado</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>recorrer aquí pasada giro</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Recorrer más rápido</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>ritmo velocidad</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Recorrer más lento</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Seguir la máquina</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>recorrer mapa centro</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Barra de recorrido</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>recorrer reproducir control</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Comentar un lugar…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>revisión nota observación lugar</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Comentar todo el plan…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>revisión nota observación</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Enviar a revisión…</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>contratista compartir archivo aprobar</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Incorporar una revisión recibida…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>unir comentarios contratista</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Aviso siguiente</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>problema comprobar recorrer</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Aviso anterior</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>problema comprobar atrás</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -509,16 +613,89 @@
 <context>
     <name>CommandPalette</name>
     <message>
-        <source>Search commands</source>
-        <translation>Buscar órdenes</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There is no such command</source>
-        <translation>Esa orden no existe</translation>
+        <source>Search commands and settings</source>
+        <translation>Buscar órdenes y ajustes</translation>
+    </message>
+    <message>
+        <source>There is no command and no setting of that name</source>
+        <translation>No hay ninguna orden ni ajuste con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>CommentPins</name>
+    <message>
+        <source>Comment %1: %2</source>
+        <translation>Comentario %1: %2</translation>
+    </message>
+    <message>
+        <source>Click the place that you want to comment on. Esc ends it.</source>
+        <translation>Haga clic en el lugar que quiere comentar. Esc lo termina.</translation>
+    </message>
+</context>
+<context>
+    <name>CommentRow</name>
+    <message>
+        <source>Comment %1 by %2: %3</source>
+        <translation>Comentario %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Of a plan before the last change</source>
+        <translation>De un plan anterior al último cambio</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Reabrir</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Resuelto</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+</context>
+<context>
+    <name>DriveBar</name>
+    <message>
+        <source>Drive-through</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Recorrer el plan</translation>
+    </message>
+    <message>
+        <source>Moment of the drive</source>
+        <translation>Momento del recorrido</translation>
+    </message>
+    <message>
+        <source>Pace: %1 times as fast</source>
+        <translation>Ritmo: %1 veces más rápido</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Let the map rest</source>
+        <translation>Dejar quieto el mapa</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Seguir la máquina</translation>
+    </message>
+    <message>
+        <source>Hide the drive-through</source>
+        <translation>Ocultar el recorrido</translation>
     </message>
 </context>
 <context>
@@ -742,6 +919,53 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Aviso %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Apply: %1</source>
+        <translation>Aplicar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HeadingChart</name>
+    <message>
+        <source>Time by</source>
+        <translation>Tiempo según</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>solape</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>sin hacer</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>giros</translation>
+    </message>
+    <message>
+        <source>Time by %1</source>
+        <translation>Tiempo según %1</translation>
+    </message>
+    <message>
+        <source>Directions of swaths and their times</source>
+        <translation>Direcciones de las pasadas y sus tiempos</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 at least</source>
+        <translation>como mínimo %1</translation>
+    </message>
+    <message>
+        <source>Let Furrow search the direction</source>
+        <translation>Dejar que Furrow busque la dirección</translation>
     </message>
 </context>
 <context>
@@ -1080,6 +1304,10 @@
         <source>Delete</source>
         <translation>Eliminar</translation>
     </message>
+    <message>
+        <source>Drive from here</source>
+        <translation>Recorrer desde aquí</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -1376,6 +1604,13 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Status</source>
+        <translation>Estado</translation>
+    </message>
+</context>
+<context>
     <name>OrderRow</name>
     <message>
         <source>%1. Swath %2, %3</source>
@@ -1388,6 +1623,29 @@
     <message>
         <source>Drive swath %1 the other way</source>
         <translation>Recorrer la pasada %1 al revés</translation>
+    </message>
+</context>
+<context>
+    <name>PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+    <message>
+        <source>Planning for the pages …</source>
+        <translation>Planificando para las páginas …</translation>
+    </message>
+    <message>
+        <source>Stopped before there were pages.</source>
+        <translation>Detenido antes de que hubiera páginas.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Intentar de nuevo</translation>
     </message>
 </context>
 <context>
@@ -5446,6 +5704,248 @@
         <source>swath %1 is driven first</source>
         <translation>la pasada %1 se hace primero</translation>
     </message>
+    <message>
+        <source>%1 are driven outside of the field</source>
+        <translation>%1 se recorren fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 more than the longest edge (%3)</source>
+        <translation>%1 cuesta %2 más que el borde más largo (%3)</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 is as quick as the longest edge (%2)</source>
+        <translation>%1 es tan rápido como el borde más largo (%2)</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no amount</source>
+        <translation>%1 de una orden de trabajo no es una cantidad</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no text</source>
+        <translation>%1 de una orden de trabajo no es un texto</translation>
+    </message>
+    <message>
+        <source>%1 runs along the longest edge</source>
+        <translation>%1 va a lo largo del borde más largo</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 against the longest edge (%3)</source>
+        <translation>%1 ahorra %2 frente al borde más largo (%3)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 each</source>
+        <translation>%1 × %2, %3 cada uno</translation>
+    </message>
+    <message>
+        <source>%1: a turn of this machine, with a radius of %2, needs %3.</source>
+        <translation>%1: un giro de esta máquina, con un radio de %2, necesita %3.</translation>
+    </message>
+    <message>
+        <source>%1: a turn to the next swath would need %2, so turns are made in other ways.</source>
+        <translation>%1: un giro a la pasada siguiente necesitaría %2, por eso se gira de otra manera.</translation>
+    </message>
+    <message>
+        <source>%1: its work order is not used: %2</source>
+        <translation>%1: su orden de trabajo no se usa: %2</translation>
+    </message>
+    <message>
+        <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
+        <translation>%1: la parcela es demasiado estrecha para los %2 que necesita un giro de esta máquina.</translation>
+    </message>
+    <message>
+        <source>%1; the machine keeps %2 from its edge at least.</source>
+        <translation>%1; la máquina se mantiene al menos a %2 del borde.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n subparcela</numerusform>
+            <numerusform>%n subparcelas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes of %1</source>
+        <translation>
+            <numerusform>%n pasada de %1</numerusform>
+            <numerusform>%n pasadas de %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths</source>
+        <translation>
+            <numerusform>%n pasada</numerusform>
+            <numerusform>%n pasadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
+        <translation>Cortado en %1 partes donde se interrumpen las pasadas, unidas en %2.</translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
+        <translation>Cortado en %1 partes donde se interrumpen las pasadas; unirlas en %2 ahorra %3 de giros y recorridos.</translation>
+    </message>
+    <message>
+        <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
+        <translation>Los bordes paralelos a las pasadas reciben %1; los bordes donde terminan, hasta %2: un giro de esta máquina necesita %3.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary, as chosen.</source>
+        <translation>Todo se mantiene a %1 del límite, como se eligió.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
+        <translation>Todo se mantiene a %1 del límite: no se sabe con más exactitud por dónde va.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Ninguna dirección tiene menos de %n pasada.</numerusform>
+            <numerusform>Ninguna dirección tiene menos de %n pasadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried covers more: %1 inside the headland.</source>
+        <translation>Ninguna dirección probada cubre más: %1 dentro de la cabecera.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading that was tried has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Ninguna dirección probada tiene menos de %n pasada.</numerusform>
+            <numerusform>Ninguna dirección probada tiene menos de %n pasadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried has shorter swaths: %1.</source>
+        <translation>Ninguna dirección probada tiene pasadas más cortas: %1.</translation>
+    </message>
+    <message>
+        <source>No heading that was tried works less land twice: %1.</source>
+        <translation>Ninguna dirección probada trabaja menos superficie dos veces: %1.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
+        <translation>Ningún orden de estas pasadas puede ahorrar más del %1 de los giros, o el %2 de todo.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths is better; that is proved.</source>
+        <translation>Ningún orden de estas pasadas es mejor; está demostrado.</translation>
+    </message>
+    <message>
+        <source>Nothing divides the swaths: one cell.</source>
+        <translation>Nada divide las pasadas: una subparcela.</translation>
+    </message>
+    <message>
+        <source>Nothing stands outside of the field</source>
+        <translation>Nada queda fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>One pass all round works the whole field.</source>
+        <translation>Una vuelta trabaja toda la parcela.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <translation>
+            <numerusform>Esquinas u obstáculos interrumpen las pasadas: %n subparcela.</numerusform>
+            <numerusform>Esquinas u obstáculos interrumpen las pasadas: %n subparcelas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The longest way without work, %1, follows %2.</source>
+        <translation>El recorrido más largo sin trabajar, %1, sigue a %2.</translation>
+    </message>
+    <message>
+        <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
+        <translation>No hay cabecera, como se eligió. Los giros llegan %1 más allá del final de las pasadas.</translation>
+    </message>
+    <message>
+        <source>Turns take %1 less than with the pattern “%2” (%3).</source>
+        <translation>Los giros cuestan %1 menos que con el patrón «%2» (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take %1 more than with the pattern “%2” (%3).</source>
+        <translation>Los giros cuestan %1 más que con el patrón «%2» (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take about as much as with the pattern “%1”.</source>
+        <translation>Los giros cuestan más o menos lo mismo que con el patrón «%1».</translation>
+    </message>
+    <message>
+        <source>a member that every plan has is missing or of another kind</source>
+        <translation>falta un dato que tiene todo plan, o es de otro tipo</translation>
+    </message>
+    <message>
+        <source>a work order is a JSON object, and this is none</source>
+        <translation>una orden de trabajo es un objeto JSON y esto no lo es</translation>
+    </message>
+    <message>
+        <source>bulb turn</source>
+        <translation>giro en omega</translation>
+    </message>
+    <message>
+        <source>by this estimate %1 would save %2</source>
+        <translation>según esta estimación, %1 ahorraría %2</translation>
+    </message>
+    <message>
+        <source>fishtail turn</source>
+        <translation>giro en cola de pez</translation>
+    </message>
+    <message>
+        <source>give a number that is not negative, or leave it out</source>
+        <translation>dé un número que no sea negativo o déjelo fuera</translation>
+    </message>
+    <message>
+        <source>it is draft, issued, in_progress or done</source>
+        <translation>es draft, issued, in_progress o done</translation>
+    </message>
+    <message>
+        <source>no heading is quicker</source>
+        <translation>ninguna dirección es más rápida</translation>
+    </message>
+    <message>
+        <source>no plan of this project was sent for this review</source>
+        <translation>ningún plan de este proyecto se envió para esta revisión</translation>
+    </message>
+    <message>
+        <source>open the project that the plan was sent from, or open the file by itself</source>
+        <translation>abra el proyecto desde el que se envió el plan, o abra el archivo solo</translation>
+    </message>
+    <message>
+        <source>put it in quotation marks</source>
+        <translation>póngalo entre comillas</translation>
+    </message>
+    <message>
+        <source>see the README for the members of a work order</source>
+        <translation>vea en el README los datos de una orden de trabajo</translation>
+    </message>
+    <message>
+        <source>there is no such status of a work order</source>
+        <translation>no existe ese estado de una orden de trabajo</translation>
+    </message>
+    <message>
+        <source>there is no way to drive</source>
+        <translation>no hay recorrido</translation>
+    </message>
+    <message>
+        <source>turn on the spot</source>
+        <translation>giro en el sitio</translation>
+    </message>
+    <message>
+        <source>turn with reversing</source>
+        <translation>giro con marcha atrás</translation>
+    </message>
+    <message>
+        <source>way straight on</source>
+        <translation>tramo recto</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5480,6 +5980,92 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>PrintDialog</name>
+    <message>
+        <source>Print the work order</source>
+        <translation>Imprimir la orden de trabajo</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planificar de nuevo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
+        <translation>
+            <numerusform>%n problema en este plan: no se puede recorrer tal como está. Las páginas también lo dicen.</numerusform>
+            <numerusform>%n problemas en este plan: no se puede recorrer tal como está. Las páginas también lo dicen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pages of</source>
+        <translation>Páginas de</translation>
+    </message>
+    <message>
+        <source>This field</source>
+        <translation>Esta parcela</translation>
+    </message>
+    <message>
+        <source>The whole farm (%1)</source>
+        <translation>Toda la explotación (%1)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Impresora</translation>
+    </message>
+    <message>
+        <source>No printer was found</source>
+        <translation>No se encontró ninguna impresora</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Guardar imagen…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Guardar como PDF…</translation>
+    </message>
+    <message>
+        <source>Save the work order</source>
+        <translation>Guardar la orden de trabajo</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Save the page with the map as a picture</source>
+        <translation>Guardar la página del mapa como imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imágenes (%1)</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +6164,111 @@
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
         <translation>No se encontró nada en este plan: todo se puede recorrer.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDialogs</name>
+    <message>
+        <source>Send for review</source>
+        <translation>Enviar a revisión</translation>
+    </message>
+    <message>
+        <source>Review files (%1)</source>
+        <translation>Archivos de revisión (%1)</translation>
+    </message>
+    <message>
+        <source>Take in what came back</source>
+        <translation>Incorporar lo recibido</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSection</name>
+    <message numerus="yes">
+        <source>Review · %n open comment(s)</source>
+        <translation>
+            <numerusform>Revisión · %n comentario abierto</numerusform>
+            <numerusform>Revisión · %n comentarios abiertos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisión</translation>
+    </message>
+    <message>
+        <source>The plan has changed since.</source>
+        <translation>El plan ha cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>At the place that you clicked:</source>
+        <translation>En el lugar en que hizo clic:</translation>
+    </message>
+    <message>
+        <source>On the whole plan:</source>
+        <translation>Sobre todo el plan:</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>What should be seen to?</source>
+        <translation>¿Qué hay que atender?</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Su nombre</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>On a place…</source>
+        <translation>En un lugar…</translation>
+    </message>
+    <message>
+        <source>On the whole plan…</source>
+        <translation>En todo el plan…</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Aprobar</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Pedir cambios</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Reenviar…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Enviar a revisión…</translation>
+    </message>
+    <message>
+        <source>Take in what came back…</source>
+        <translation>Incorporar lo recibido…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +6597,415 @@
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Several moves</source>
+        <translation>Varias maniobras</translation>
+    </message>
+</context>
+<context>
+    <name>WorkOrderPages</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>como se dibujó</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <comment>work order</comment>
+        <translation>Borrador</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <comment>work order</comment>
+        <translation>Emitida</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <comment>work order</comment>
+        <translation>En curso</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <comment>work order</comment>
+        <translation>Listo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not drivable: %n problem(s)</source>
+        <translation>
+            <numerusform>No transitable: %n problema</numerusform>
+            <numerusform>No transitable: %n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Orden de trabajo</translation>
+    </message>
+    <message>
+        <source>Work order %1</source>
+        <translation>Orden de trabajo %1</translation>
+    </message>
+    <message>
+        <source>%1/ac</source>
+        <translation>%1/ac</translation>
+    </message>
+    <message>
+        <source>%1/ha</source>
+        <translation>%1/ha</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Dirección de la parcela</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operario</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Producto</translation>
+    </message>
+    <message>
+        <source>Rate and total</source>
+        <translation>Dosis y total</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <comment>rate and total</comment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Where the work starts</source>
+        <translation>Donde empieza el trabajo</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Trabajo</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Giros</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Cubierto</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Trabajado dos veces</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Combustible</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>Above the best order</source>
+        <translation>Sobre el mejor orden</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Working width</source>
+        <translation>Ancho de trabajo</translation>
+    </message>
+    <message>
+        <source>Width in turns</source>
+        <translation>Ancho en los giros</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>Radio de giro</translation>
+    </message>
+    <message>
+        <source>Speed at work</source>
+        <translation>Velocidad de trabajo</translation>
+    </message>
+    <message>
+        <source>Speed in turns</source>
+        <translation>Velocidad en los giros</translation>
+    </message>
+    <message>
+        <source>Implement</source>
+        <translation>Apero</translation>
+    </message>
+    <message>
+        <source>trailed</source>
+        <translation>arrastrado</translation>
+    </message>
+    <message>
+        <source>mounted</source>
+        <translation>suspendido</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Depósito</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n pasada</numerusform>
+            <numerusform>%n pasadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>headland</comment>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operación</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Cabecera</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Kept free at the edge</source>
+        <translation>Margen libre en el borde</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Plan and settings</source>
+        <translation>Plan y ajustes</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Ejecución</translation>
+    </message>
+    <message>
+        <source>Acres worked</source>
+        <translation>Acres trabajados</translation>
+    </message>
+    <message>
+        <source>Hectares worked</source>
+        <translation>Hectáreas trabajadas</translation>
+    </message>
+    <message>
+        <source>Hours</source>
+        <translation>Horas</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>of the work</comment>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Viento</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatura</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Firma</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>None: the plan can be driven as drawn.</source>
+        <translation>Ninguno: el plan se puede recorrer tal como está.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the window and in summary.json</source>
+        <translation>
+            <numerusform>y %n más, en la ventana y en summary.json</numerusform>
+            <numerusform>y %n más, en la ventana y en summary.json</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>count and kind of turns</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse</source>
+        <translation>%1 marcha atrás</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Giros</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <comment>headland pass</comment>
+        <translation>C%1</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Pasada %1</translation>
+    </message>
+    <message>
+        <source>Order of the passes</source>
+        <translation>Orden de las pasadas</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Pasada</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Hacia</translation>
+    </message>
+    <message>
+        <source>This plan&apos;s path.csv has the SHA-256 sum below. A file with another sum is another plan.</source>
+        <translation>El path.csv de este plan tiene la suma SHA-256 de abajo. Un archivo con otra suma es otro plan.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>1 : %1</source>
+        <comment>scale of a map</comment>
+        <translation>1 : %1</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Swath</source>
+        <translation>Pasada</translation>
+    </message>
+    <message>
+        <source>Headland pass</source>
+        <translation>Pasada de cabecera</translation>
+    </message>
+    <message>
+        <source>Implement up</source>
+        <translation>Apero levantado</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstáculo</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Explotación</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Órdenes de trabajo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcela</numerusform>
+            <numerusform>%n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Not drivable</source>
+        <translation>No transitable</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation>plan %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+</context>
+<context>
     <name>furrow::BestSearch</name>
     <message>
         <source>Take the best plan</source>
@@ -5971,6 +7071,53 @@
     <message>
         <source>%1 quicker</source>
         <translation>%1 más rápido</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DriveThrough</name>
+    <message>
+        <source>Swath %1, %2 of %3</source>
+        <translation>Pasada %1, %2 de %3</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>marcha atrás</translation>
+    </message>
+    <message>
+        <source>implement down</source>
+        <translation>apero abajo</translation>
+    </message>
+    <message>
+        <source>implement folded</source>
+        <translation>apero plegado</translation>
+    </message>
+    <message>
+        <source>implement up</source>
+        <translation>apero arriba</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 hechas</translation>
+    </message>
+    <message>
+        <source>wheels straight</source>
+        <translation>ruedas rectas</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° izquierda</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° derecha</translation>
+    </message>
+    <message>
+        <source>tank %1</source>
+        <translation>depósito %1</translation>
+    </message>
+    <message>
+        <source>tank empty</source>
+        <translation>depósito vacío</translation>
     </message>
 </context>
 <context>
@@ -6266,6 +7413,66 @@
     </message>
 </context>
 <context>
+    <name>furrow::FindingsModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>ningún problema</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Before: %2. Now: %3.</source>
+        <translation>%1. Antes: %2. Ahora: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::HeadingChoice</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>no swath fits</source>
+        <translation>no cabe ninguna pasada</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n pasada</numerusform>
+            <numerusform>%n pasadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 turning</source>
+        <translation>%1 girando</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 dos veces</translation>
+    </message>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 sin hacer</translation>
+    </message>
+    <message>
+        <source>Swaths along %1</source>
+        <translation>Pasadas en dirección %1</translation>
+    </message>
+    <message>
+        <source>Search the heading</source>
+        <translation>Buscar la dirección</translation>
+    </message>
+</context>
+<context>
     <name>furrow::ImageryModel</name>
     <message>
         <source>%1: %2</source>
@@ -6314,6 +7521,73 @@
         <source>auto · %1</source>
         <translation>auto · %1</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>máquina</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::OrderModel</name>
+    <message>
+        <source>Order number</source>
+        <translation>Número de orden</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Dirección de la parcela</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operario</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Producto</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dosis</translation>
+    </message>
+    <message>
+        <source>Unit of the rate</source>
+        <translation>Unidad de la dosis</translation>
+    </message>
+    <message>
+        <source>Area worked</source>
+        <translation>Superficie trabajada</translation>
+    </message>
+    <message>
+        <source>Hours worked</source>
+        <translation>Horas trabajadas</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
+    </message>
+    <message>
+        <source>%1 per acre</source>
+        <translation>%1 por acre</translation>
+    </message>
+    <message>
+        <source>%1 per hectare</source>
+        <translation>%1 por hectárea</translation>
+    </message>
+    <message>
+        <source>Change the work order</source>
+        <translation>Cambiar la orden de trabajo</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ParameterModel</name>
@@ -6324,6 +7598,33 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanChange</name>
+    <message>
+        <source>time %1</source>
+        <translation>tiempo %1</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>recorrido %1</translation>
+    </message>
+    <message>
+        <source>covered %1</source>
+        <translation>cubierto %1</translation>
+    </message>
+    <message>
+        <source>worked twice %1</source>
+        <translation>trabajado dos veces %1</translation>
+    </message>
+    <message>
+        <source>With the last change: the same time, length and area.</source>
+        <translation>Con el último cambio: el mismo tiempo, longitud y superficie.</translation>
+    </message>
+    <message>
+        <source>With the last change: %1</source>
+        <translation>Con el último cambio: %1</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +7694,49 @@
             <numerusform>%n problema</numerusform>
             <numerusform>%n problemas</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::Printing</name>
+    <message>
+        <source>There is no field yet, and no plan to print.</source>
+        <translation>Todavía no hay parcela ni plan que imprimir.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be printed when it is finished.</source>
+        <translation>El plan aún se está haciendo. Se podrá imprimir cuando esté listo.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date. Plan again to print it.</source>
+        <translation>El plan está desactualizado. Vuelva a planificar para imprimirlo.</translation>
+    </message>
+    <message>
+        <source>There is no plan to print. The message on the map says why.</source>
+        <translation>No hay plan que imprimir. El mensaje del mapa dice por qué.</translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Orden de trabajo</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Órdenes de trabajo</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
+    </message>
+    <message>
+        <source>The printer %1 did not take the pages.</source>
+        <translation>La impresora %1 no aceptó las páginas.</translation>
+    </message>
+    <message>
+        <source>Look whether it is on, or save a PDF and print that.</source>
+        <translation>Compruebe si está encendida, o guarde un PDF e imprímalo.</translation>
+    </message>
+    <message>
+        <source>Sent to %1</source>
+        <translation>Enviado a %1</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +7869,92 @@
             <numerusform>%n parcela</numerusform>
             <numerusform>%n parcelas</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ReviewModel</name>
+    <message>
+        <source>Only a finished plan of what the panels show can be sent.</source>
+        <translation>Solo se puede enviar un plan terminado de lo que muestran los paneles.</translation>
+    </message>
+    <message>
+        <source>Approved: %1</source>
+        <translation>Aprobado: %1</translation>
+    </message>
+    <message>
+        <source>Changes wanted: %1</source>
+        <translation>Se piden cambios: %1</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentario</translation>
+    </message>
+    <message>
+        <source>Remove a comment</source>
+        <translation>Quitar un comentario</translation>
+    </message>
+    <message>
+        <source>Settle a comment</source>
+        <translation>Resolver un comentario</translation>
+    </message>
+    <message>
+        <source>Open a comment again</source>
+        <translation>Reabrir un comentario</translation>
+    </message>
+    <message>
+        <source>Approve the plan</source>
+        <translation>Aprobar el plan</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Pedir cambios</translation>
+    </message>
+    <message>
+        <source>Take the verdict back</source>
+        <translation>Retirar el veredicto</translation>
+    </message>
+    <message>
+        <source>review</source>
+        <translation>revisión</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Send for review</source>
+        <translation>Enviar a revisión</translation>
+    </message>
+    <message>
+        <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
+        <translation>Escrito: %1. Quien tenga Furrow puede abrirlo, comentarlo y devolverlo.</translation>
+    </message>
+    <message>
+        <source>Take in a review</source>
+        <translation>Incorporar una revisión</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new comment(s)</source>
+        <translation>
+            <numerusform>%n comentario nuevo</numerusform>
+            <numerusform>%n comentarios nuevos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The review was brought up to date</source>
+        <translation>La revisión se ha actualizado</translation>
+    </message>
+    <message>
+        <source>Nothing new in this review</source>
+        <translation>Nada nuevo en esta revisión</translation>
+    </message>
+    <message>
+        <source>%1. The plan has changed since it was sent.</source>
+        <translation>%1. El plan ha cambiado desde que se envió.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +8097,10 @@
     <message>
         <source>turns within %1 of the best</source>
         <translation>giros: +%1 como mucho</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

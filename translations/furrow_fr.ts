@@ -375,6 +375,110 @@
         <source>quickest optimise compare alternatives</source>
         <translation>plus rapide optimiser comparer alternatives</translation>
     </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Imprimer l&apos;ordre de travail…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>imprimer PDF rapport ordre de travail image imprimante</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Parcourir le plan</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Mettre le parcours en pause</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>parcourir lecture pause simuler machine</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Parcourir depuis la sélection</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>parcourir ici passage demi-tour</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Parcourir plus vite</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>rythme vitesse</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Parcourir plus lentement</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Suivre la machine</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>parcourir carte centre</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Barre de parcours</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>parcourir lecture curseur</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Commenter un endroit…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>relecture note remarque endroit</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Commenter tout le plan…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>relecture note remarque</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Envoyer en relecture…</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>entrepreneur partager fichier approuver</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Reprendre une relecture revenue…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>fusionner commentaires entrepreneur</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Constat suivant</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>problème contrôle parcourir</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Constat précédent</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>problème contrôle retour</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -509,16 +613,89 @@
 <context>
     <name>CommandPalette</name>
     <message>
-        <source>Search commands</source>
-        <translation>Chercher une commande</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There is no such command</source>
-        <translation>Cette commande n&apos;existe pas</translation>
+        <source>Search commands and settings</source>
+        <translation>Chercher commandes et réglages</translation>
+    </message>
+    <message>
+        <source>There is no command and no setting of that name</source>
+        <translation>Aucune commande ni réglage de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>CommentPins</name>
+    <message>
+        <source>Comment %1: %2</source>
+        <translation>Commentaire %1 : %2</translation>
+    </message>
+    <message>
+        <source>Click the place that you want to comment on. Esc ends it.</source>
+        <translation>Cliquez l’endroit à commenter. Échap y met fin.</translation>
+    </message>
+</context>
+<context>
+    <name>CommentRow</name>
+    <message>
+        <source>Comment %1 by %2: %3</source>
+        <translation>Commentaire %1 de %2 : %3</translation>
+    </message>
+    <message>
+        <source>Of a plan before the last change</source>
+        <translation>D’un plan d’avant le dernier changement</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Rouvrir</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Réglé</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+</context>
+<context>
+    <name>DriveBar</name>
+    <message>
+        <source>Drive-through</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Parcourir le plan</translation>
+    </message>
+    <message>
+        <source>Moment of the drive</source>
+        <translation>Moment du parcours</translation>
+    </message>
+    <message>
+        <source>Pace: %1 times as fast</source>
+        <translation>Rythme : %1 fois plus vite</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Let the map rest</source>
+        <translation>Laisser la carte immobile</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Suivre la machine</translation>
+    </message>
+    <message>
+        <source>Hide the drive-through</source>
+        <translation>Masquer le parcours</translation>
     </message>
 </context>
 <context>
@@ -742,6 +919,53 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Remarque %1 : %2 %3</translation>
+    </message>
+    <message>
+        <source>Apply: %1</source>
+        <translation>Appliquer : %1</translation>
+    </message>
+</context>
+<context>
+    <name>HeadingChart</name>
+    <message>
+        <source>Time by</source>
+        <translation>Durée selon</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>orientation</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>oublié</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>demi-tours</translation>
+    </message>
+    <message>
+        <source>Time by %1</source>
+        <translation>Durée selon %1</translation>
+    </message>
+    <message>
+        <source>Directions of swaths and their times</source>
+        <translation>Orientations des passages et leurs durées</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 at least</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>Let Furrow search the direction</source>
+        <translation>Laisser Furrow chercher l’orientation</translation>
     </message>
 </context>
 <context>
@@ -1080,6 +1304,10 @@
         <source>Delete</source>
         <translation>Supprimer</translation>
     </message>
+    <message>
+        <source>Drive from here</source>
+        <translation>Parcourir d’ici</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -1376,6 +1604,13 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Status</source>
+        <translation>Statut</translation>
+    </message>
+</context>
+<context>
     <name>OrderRow</name>
     <message>
         <source>%1. Swath %2, %3</source>
@@ -1388,6 +1623,29 @@
     <message>
         <source>Drive swath %1 the other way</source>
         <translation>Parcourir le passage %1 dans l’autre sens</translation>
+    </message>
+</context>
+<context>
+    <name>PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Planning for the pages …</source>
+        <translation>Planification pour les pages …</translation>
+    </message>
+    <message>
+        <source>Stopped before there were pages.</source>
+        <translation>Arrêté avant que les pages soient prêtes.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
     </message>
 </context>
 <context>
@@ -5446,6 +5704,248 @@
         <source>swath %1 is driven first</source>
         <translation>le passage %1 est fait en premier</translation>
     </message>
+    <message>
+        <source>%1 are driven outside of the field</source>
+        <translation>%1 sont parcourus hors du champ</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 more than the longest edge (%3)</source>
+        <translation>%1 coûte %2 de plus que le plus long bord (%3)</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 is as quick as the longest edge (%2)</source>
+        <translation>%1 est aussi rapide que le plus long bord (%2)</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no amount</source>
+        <translation>%1 d&apos;un ordre de travail n&apos;est pas une quantité</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no text</source>
+        <translation>%1 d&apos;un ordre de travail n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>%1 runs along the longest edge</source>
+        <translation>%1 longe le plus long bord</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 against the longest edge (%3)</source>
+        <translation>%1 gagne %2 par rapport au plus long bord (%3)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 each</source>
+        <translation>%1 × %2, %3 chacun</translation>
+    </message>
+    <message>
+        <source>%1: a turn of this machine, with a radius of %2, needs %3.</source>
+        <translation>%1 : un demi-tour de cette machine, avec un rayon de %2, demande %3.</translation>
+    </message>
+    <message>
+        <source>%1: a turn to the next swath would need %2, so turns are made in other ways.</source>
+        <translation>%1 : un demi-tour vers le passage suivant demanderait %2, on tourne donc autrement.</translation>
+    </message>
+    <message>
+        <source>%1: its work order is not used: %2</source>
+        <translation>%1 : son ordre de travail n&apos;est pas utilisé : %2</translation>
+    </message>
+    <message>
+        <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
+        <translation>%1 : le champ est trop étroit pour les %2 que demande un demi-tour de cette machine.</translation>
+    </message>
+    <message>
+        <source>%1; the machine keeps %2 from its edge at least.</source>
+        <translation>%1 ; la machine reste au moins à %2 du bord.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n sous-parcelle</numerusform>
+            <numerusform>%n sous-parcelles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes of %1</source>
+        <translation>
+            <numerusform>%n tour de %1</numerusform>
+            <numerusform>%n tours de %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths</source>
+        <translation>
+            <numerusform>%n passage</numerusform>
+            <numerusform>%n passages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
+        <translation>Coupé en %1 morceaux là où les passages s’interrompent, réunis en %2.</translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
+        <translation>Coupé en %1 morceaux là où les passages s’interrompent ; les réunir en %2 fait gagner %3 de demi-tours et de trajets.</translation>
+    </message>
+    <message>
+        <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
+        <translation>Les bords longés par les passages reçoivent %1, ceux où ils finissent jusqu’à %2 : un demi-tour de cette machine demande %3.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary, as chosen.</source>
+        <translation>Tout reste à %1 de la limite, comme choisi.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
+        <translation>Tout reste à %1 de la limite : on n’en connaît pas mieux le tracé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Aucune orientation n’a moins de %n passage.</numerusform>
+            <numerusform>Aucune orientation n’a moins de %n passages.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried covers more: %1 inside the headland.</source>
+        <translation>Aucune orientation essayée ne couvre plus : %1 à l’intérieur de la fourrière.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading that was tried has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Aucune orientation essayée n’a moins de %n passage.</numerusform>
+            <numerusform>Aucune orientation essayée n’a moins de %n passages.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried has shorter swaths: %1.</source>
+        <translation>Aucune orientation essayée n’a des passages plus courts : %1.</translation>
+    </message>
+    <message>
+        <source>No heading that was tried works less land twice: %1.</source>
+        <translation>Aucune orientation essayée ne travaille moins de surface deux fois : %1.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
+        <translation>Aucun ordre de ces passages ne peut gagner plus de %1 des demi-tours, ou %2 du tout.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths is better; that is proved.</source>
+        <translation>Aucun ordre de ces passages n’est meilleur ; c’est prouvé.</translation>
+    </message>
+    <message>
+        <source>Nothing divides the swaths: one cell.</source>
+        <translation>Rien ne coupe les passages : une seule sous-parcelle.</translation>
+    </message>
+    <message>
+        <source>Nothing stands outside of the field</source>
+        <translation>Rien ne sort du champ</translation>
+    </message>
+    <message>
+        <source>One pass all round works the whole field.</source>
+        <translation>Un seul tour travaille tout le champ.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <translation>
+            <numerusform>Des coins ou des obstacles interrompent les passages : %n sous-parcelle.</numerusform>
+            <numerusform>Des coins ou des obstacles interrompent les passages : %n sous-parcelles.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The longest way without work, %1, follows %2.</source>
+        <translation>Le plus long trajet sans travail, %1, suit %2.</translation>
+    </message>
+    <message>
+        <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
+        <translation>Pas de fourrière, comme choisi. Les demi-tours dépassent de %1 le bout des passages.</translation>
+    </message>
+    <message>
+        <source>Turns take %1 less than with the pattern “%2” (%3).</source>
+        <translation>Les demi-tours coûtent %1 de moins qu’avec le motif « %2 » (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take %1 more than with the pattern “%2” (%3).</source>
+        <translation>Les demi-tours coûtent %1 de plus qu’avec le motif « %2 » (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take about as much as with the pattern “%1”.</source>
+        <translation>Les demi-tours coûtent à peu près autant qu’avec le motif « %1 ».</translation>
+    </message>
+    <message>
+        <source>a member that every plan has is missing or of another kind</source>
+        <translation>il manque un élément que tout plan possède, ou il est d’un autre type</translation>
+    </message>
+    <message>
+        <source>a work order is a JSON object, and this is none</source>
+        <translation>un ordre de travail est un objet JSON, et ceci n&apos;en est pas un</translation>
+    </message>
+    <message>
+        <source>bulb turn</source>
+        <translation>demi-tour en poire</translation>
+    </message>
+    <message>
+        <source>by this estimate %1 would save %2</source>
+        <translation>selon cette estimation, %1 ferait gagner %2</translation>
+    </message>
+    <message>
+        <source>fishtail turn</source>
+        <translation>demi-tour en queue de poisson</translation>
+    </message>
+    <message>
+        <source>give a number that is not negative, or leave it out</source>
+        <translation>donnez un nombre non négatif, ou ne le mettez pas</translation>
+    </message>
+    <message>
+        <source>it is draft, issued, in_progress or done</source>
+        <translation>c&apos;est draft, issued, in_progress ou done</translation>
+    </message>
+    <message>
+        <source>no heading is quicker</source>
+        <translation>aucune orientation n’est plus rapide</translation>
+    </message>
+    <message>
+        <source>no plan of this project was sent for this review</source>
+        <translation>aucun plan de ce projet n’a été envoyé pour cette relecture</translation>
+    </message>
+    <message>
+        <source>open the project that the plan was sent from, or open the file by itself</source>
+        <translation>ouvrez le projet d’où vient le plan, ou le fichier seul</translation>
+    </message>
+    <message>
+        <source>put it in quotation marks</source>
+        <translation>mettez-le entre guillemets</translation>
+    </message>
+    <message>
+        <source>see the README for the members of a work order</source>
+        <translation>voir dans le README les données d&apos;un ordre de travail</translation>
+    </message>
+    <message>
+        <source>there is no such status of a work order</source>
+        <translation>cet état d&apos;ordre de travail n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>there is no way to drive</source>
+        <translation>il n’y a pas de trajet</translation>
+    </message>
+    <message>
+        <source>turn on the spot</source>
+        <translation>rotation sur place</translation>
+    </message>
+    <message>
+        <source>turn with reversing</source>
+        <translation>demi-tour avec marche arrière</translation>
+    </message>
+    <message>
+        <source>way straight on</source>
+        <translation>trajet tout droit</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5480,6 +5980,92 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>PrintDialog</name>
+    <message>
+        <source>Print the work order</source>
+        <translation>Imprimer l&apos;ordre de travail</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Replanifier</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
+        <translation>
+            <numerusform>%n problème dans ce plan : il ne peut pas être suivi tel quel. Les pages le disent aussi.</numerusform>
+            <numerusform>%n problèmes dans ce plan : il ne peut pas être suivi tel quel. Les pages le disent aussi.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pages of</source>
+        <translation>Pages de</translation>
+    </message>
+    <message>
+        <source>This field</source>
+        <translation>Cette parcelle</translation>
+    </message>
+    <message>
+        <source>The whole farm (%1)</source>
+        <translation>Toute l&apos;exploitation (%1)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Imprimante</translation>
+    </message>
+    <message>
+        <source>No printer was found</source>
+        <translation>Aucune imprimante trouvée</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Enregistrer l&apos;image…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimer</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Save the work order</source>
+        <translation>Enregistrer l&apos;ordre de travail</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Save the page with the map as a picture</source>
+        <translation>Enregistrer la page de la carte en image</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Images (%1)</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +6164,111 @@
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
         <translation>Rien n&apos;a été trouvé dans ce plan : tout peut être parcouru.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDialogs</name>
+    <message>
+        <source>Send for review</source>
+        <translation>Envoyer en relecture</translation>
+    </message>
+    <message>
+        <source>Review files (%1)</source>
+        <translation>Fichiers de relecture (%1)</translation>
+    </message>
+    <message>
+        <source>Take in what came back</source>
+        <translation>Reprendre ce qui est revenu</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSection</name>
+    <message numerus="yes">
+        <source>Review · %n open comment(s)</source>
+        <translation>
+            <numerusform>Relecture · %n commentaire ouvert</numerusform>
+            <numerusform>Relecture · %n commentaires ouverts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>The plan has changed since.</source>
+        <translation>Le plan a changé depuis.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>At the place that you clicked:</source>
+        <translation>À l’endroit cliqué :</translation>
+    </message>
+    <message>
+        <source>On the whole plan:</source>
+        <translation>Sur tout le plan :</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>What should be seen to?</source>
+        <translation>À quoi faut-il veiller ?</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Votre nom</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>On a place…</source>
+        <translation>À un endroit…</translation>
+    </message>
+    <message>
+        <source>On the whole plan…</source>
+        <translation>Sur tout le plan…</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Approuver</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Demander des changements</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Renvoyer…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Envoyer en relecture…</translation>
+    </message>
+    <message>
+        <source>Take in what came back…</source>
+        <translation>Reprendre ce qui est revenu…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +6597,415 @@
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Several moves</source>
+        <translation>Plusieurs manœuvres</translation>
+    </message>
+</context>
+<context>
+    <name>WorkOrderPages</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>comme dessiné</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <comment>work order</comment>
+        <translation>Brouillon</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <comment>work order</comment>
+        <translation>Émis</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <comment>work order</comment>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <comment>work order</comment>
+        <translation>Terminé</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not drivable: %n problem(s)</source>
+        <translation>
+            <numerusform>Non réalisable : %n problème</numerusform>
+            <numerusform>Non réalisable : %n problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Ordre de travail</translation>
+    </message>
+    <message>
+        <source>Work order %1</source>
+        <translation>Ordre de travail %1</translation>
+    </message>
+    <message>
+        <source>%1/ac</source>
+        <translation>%1/ac</translation>
+    </message>
+    <message>
+        <source>%1/ha</source>
+        <translation>%1/ha</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Adresse de la parcelle</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Chauffeur</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produit</translation>
+    </message>
+    <message>
+        <source>Rate and total</source>
+        <translation>Dose et total</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <comment>rate and total</comment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Where the work starts</source>
+        <translation>Où commence le travail</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Parcouru</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Travail</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Demi-tours</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Couvert</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Travaillé deux fois</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Hors de la parcelle</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Carburant</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>Above the best order</source>
+        <translation>Au-dessus du meilleur ordre</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Working width</source>
+        <translation>Largeur de travail</translation>
+    </message>
+    <message>
+        <source>Width in turns</source>
+        <translation>Largeur en demi-tour</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>Rayon de braquage</translation>
+    </message>
+    <message>
+        <source>Speed at work</source>
+        <translation>Vitesse de travail</translation>
+    </message>
+    <message>
+        <source>Speed in turns</source>
+        <translation>Vitesse en demi-tour</translation>
+    </message>
+    <message>
+        <source>Implement</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>trailed</source>
+        <translation>traîné</translation>
+    </message>
+    <message>
+        <source>mounted</source>
+        <translation>porté</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Cuve</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n tour</numerusform>
+            <numerusform>%n tours</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>headland</comment>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Opération</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Fourrière</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Kept free at the edge</source>
+        <translation>Marge libre au bord</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Plan and settings</source>
+        <translation>Plan et réglages</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Réalisation</translation>
+    </message>
+    <message>
+        <source>Acres worked</source>
+        <translation>Acres travaillés</translation>
+    </message>
+    <message>
+        <source>Hectares worked</source>
+        <translation>Hectares travaillés</translation>
+    </message>
+    <message>
+        <source>Hours</source>
+        <translation>Heures</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>of the work</comment>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Signature</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>None: the plan can be driven as drawn.</source>
+        <translation>Aucune : le plan peut être suivi tel quel.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the window and in summary.json</source>
+        <translation>
+            <numerusform>et %n autre, dans la fenêtre et dans summary.json</numerusform>
+            <numerusform>et %n autres, dans la fenêtre et dans summary.json</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>count and kind of turns</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse</source>
+        <translation>%1 en marche arrière</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Demi-tours</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <comment>headland pass</comment>
+        <translation>F%1</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>Order of the passes</source>
+        <translation>Ordre des passages</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Passage</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Vers</translation>
+    </message>
+    <message>
+        <source>This plan&apos;s path.csv has the SHA-256 sum below. A file with another sum is another plan.</source>
+        <translation>Le fichier path.csv de ce plan a la somme SHA-256 ci-dessous. Un fichier avec une autre somme est un autre plan.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>1 : %1</source>
+        <comment>scale of a map</comment>
+        <translation>1 : %1</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Swath</source>
+        <translation>Passage</translation>
+    </message>
+    <message>
+        <source>Headland pass</source>
+        <translation>Tour de fourrière</translation>
+    </message>
+    <message>
+        <source>Implement up</source>
+        <translation>Outil relevé</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstacle</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Exploitation</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Ordres de travail</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcelle</numerusform>
+            <numerusform>%n parcelles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Champ</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
+        <source>Not drivable</source>
+        <translation>Non réalisable</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation>plan %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Page %1 sur %2</translation>
+    </message>
+</context>
+<context>
     <name>furrow::BestSearch</name>
     <message>
         <source>Take the best plan</source>
@@ -5971,6 +7071,53 @@
     <message>
         <source>%1 quicker</source>
         <translation>%1 plus rapide</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DriveThrough</name>
+    <message>
+        <source>Swath %1, %2 of %3</source>
+        <translation>Passage %1, %2 sur %3</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>en marche arrière</translation>
+    </message>
+    <message>
+        <source>implement down</source>
+        <translation>outil en terre</translation>
+    </message>
+    <message>
+        <source>implement folded</source>
+        <translation>outil replié</translation>
+    </message>
+    <message>
+        <source>implement up</source>
+        <translation>outil relevé</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 faits</translation>
+    </message>
+    <message>
+        <source>wheels straight</source>
+        <translation>roues droites</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° à gauche</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° à droite</translation>
+    </message>
+    <message>
+        <source>tank %1</source>
+        <translation>cuve %1</translation>
+    </message>
+    <message>
+        <source>tank empty</source>
+        <translation>cuve vide</translation>
     </message>
 </context>
 <context>
@@ -6266,6 +7413,66 @@
     </message>
 </context>
 <context>
+    <name>furrow::FindingsModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>aucun problème</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problème</numerusform>
+            <numerusform>%n problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Before: %2. Now: %3.</source>
+        <translation>%1. Avant : %2. Maintenant : %3.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::HeadingChoice</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>no swath fits</source>
+        <translation>aucun passage ne tient</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n passage</numerusform>
+            <numerusform>%n passages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 turning</source>
+        <translation>%1 de demi-tours</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 deux fois</translation>
+    </message>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 oubliés</translation>
+    </message>
+    <message>
+        <source>Swaths along %1</source>
+        <translation>Passages à %1</translation>
+    </message>
+    <message>
+        <source>Search the heading</source>
+        <translation>Chercher l’orientation</translation>
+    </message>
+</context>
+<context>
     <name>furrow::ImageryModel</name>
     <message>
         <source>%1: %2</source>
@@ -6314,6 +7521,73 @@
         <source>auto · %1</source>
         <translation>auto · %1</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>machine</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::OrderModel</name>
+    <message>
+        <source>Order number</source>
+        <translation>Numéro d&apos;ordre</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Client</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Adresse de la parcelle</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Chauffeur</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produit</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dose</translation>
+    </message>
+    <message>
+        <source>Unit of the rate</source>
+        <translation>Unité de la dose</translation>
+    </message>
+    <message>
+        <source>Area worked</source>
+        <translation>Surface travaillée</translation>
+    </message>
+    <message>
+        <source>Hours worked</source>
+        <translation>Heures de travail</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>%1 per acre</source>
+        <translation>%1 par acre</translation>
+    </message>
+    <message>
+        <source>%1 per hectare</source>
+        <translation>%1 par hectare</translation>
+    </message>
+    <message>
+        <source>Change the work order</source>
+        <translation>Modifier l&apos;ordre de travail</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ParameterModel</name>
@@ -6324,6 +7598,33 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanChange</name>
+    <message>
+        <source>time %1</source>
+        <translation>durée %1</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>trajet %1</translation>
+    </message>
+    <message>
+        <source>covered %1</source>
+        <translation>couvert %1</translation>
+    </message>
+    <message>
+        <source>worked twice %1</source>
+        <translation>travaillé deux fois %1</translation>
+    </message>
+    <message>
+        <source>With the last change: the same time, length and area.</source>
+        <translation>Avec le dernier changement : même durée, longueur et surface.</translation>
+    </message>
+    <message>
+        <source>With the last change: %1</source>
+        <translation>Avec le dernier changement : %1</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +7694,49 @@
             <numerusform>%n problème</numerusform>
             <numerusform>%n problèmes</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::Printing</name>
+    <message>
+        <source>There is no field yet, and no plan to print.</source>
+        <translation>Il n&apos;y a pas encore de parcelle, ni de plan à imprimer.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be printed when it is finished.</source>
+        <translation>Le plan est en cours de calcul. Il pourra être imprimé une fois terminé.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date. Plan again to print it.</source>
+        <translation>Le plan n&apos;est plus à jour. Replanifiez pour l&apos;imprimer.</translation>
+    </message>
+    <message>
+        <source>There is no plan to print. The message on the map says why.</source>
+        <translation>Il n&apos;y a pas de plan à imprimer. Le message sur la carte dit pourquoi.</translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Ordre de travail</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Ordres de travail</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message>
+        <source>The printer %1 did not take the pages.</source>
+        <translation>L&apos;imprimante %1 n&apos;a pas accepté les pages.</translation>
+    </message>
+    <message>
+        <source>Look whether it is on, or save a PDF and print that.</source>
+        <translation>Vérifiez qu&apos;elle est allumée, ou enregistrez un PDF et imprimez-le.</translation>
+    </message>
+    <message>
+        <source>Sent to %1</source>
+        <translation>Envoyé à %1</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +7869,92 @@
             <numerusform>%n parcelle</numerusform>
             <numerusform>%n parcelles</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ReviewModel</name>
+    <message>
+        <source>Only a finished plan of what the panels show can be sent.</source>
+        <translation>Seul un plan terminé de ce que montrent les panneaux peut être envoyé.</translation>
+    </message>
+    <message>
+        <source>Approved: %1</source>
+        <translation>Approuvé : %1</translation>
+    </message>
+    <message>
+        <source>Changes wanted: %1</source>
+        <translation>Changements souhaités : %1</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Commentaire</translation>
+    </message>
+    <message>
+        <source>Remove a comment</source>
+        <translation>Retirer un commentaire</translation>
+    </message>
+    <message>
+        <source>Settle a comment</source>
+        <translation>Régler un commentaire</translation>
+    </message>
+    <message>
+        <source>Open a comment again</source>
+        <translation>Rouvrir un commentaire</translation>
+    </message>
+    <message>
+        <source>Approve the plan</source>
+        <translation>Approuver le plan</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Demander des changements</translation>
+    </message>
+    <message>
+        <source>Take the verdict back</source>
+        <translation>Retirer l’avis</translation>
+    </message>
+    <message>
+        <source>review</source>
+        <translation>relecture</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Send for review</source>
+        <translation>Envoyer en relecture</translation>
+    </message>
+    <message>
+        <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
+        <translation>Écrit : %1. Quiconque a Furrow peut l’ouvrir, le commenter et le renvoyer.</translation>
+    </message>
+    <message>
+        <source>Take in a review</source>
+        <translation>Reprendre une relecture</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new comment(s)</source>
+        <translation>
+            <numerusform>%n nouveau commentaire</numerusform>
+            <numerusform>%n nouveaux commentaires</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The review was brought up to date</source>
+        <translation>La relecture est mise à jour</translation>
+    </message>
+    <message>
+        <source>Nothing new in this review</source>
+        <translation>Rien de nouveau dans cette relecture</translation>
+    </message>
+    <message>
+        <source>%1. The plan has changed since it was sent.</source>
+        <translation>%1. Le plan a changé depuis son envoi.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +8097,10 @@
     <message>
         <source>turns within %1 of the best</source>
         <translation>demi-tours : +%1 au plus</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>

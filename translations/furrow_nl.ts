@@ -375,6 +375,110 @@
         <source>quickest optimise compare alternatives</source>
         <translation>snelste optimaliseren vergelijken alternatieven</translation>
     </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Werkopdracht afdrukken…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>afdrukken PDF rapport werkopdracht afbeelding printer</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Plan afrijden</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Rit pauzeren</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>rijden afspelen pauze simuleren machine</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Rijden vanaf de selectie</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>rijden hier werkgang keren</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Sneller rijden</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>tempo snelheid</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Langzamer rijden</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>De machine volgen</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>rijden kaart midden</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Afrijbalk</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>rijden afspelen schuif</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Opmerking bij een plek…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>beoordeling notitie opmerking plek</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Opmerking bij het hele plan…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>beoordeling notitie opmerking</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Ter beoordeling sturen…</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>loonwerker delen bestand goedkeuren</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Teruggekomen beoordeling overnemen…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>samenvoegen opmerkingen loonwerker</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Volgende bevinding</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>probleem controle doorlopen</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Vorige bevinding</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>probleem controle terug</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -509,16 +613,89 @@
 <context>
     <name>CommandPalette</name>
     <message>
-        <source>Search commands</source>
-        <translation>Opdrachten zoeken</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There is no such command</source>
-        <translation>Deze opdracht bestaat niet</translation>
+        <source>Search commands and settings</source>
+        <translation>Opdrachten en instellingen zoeken</translation>
+    </message>
+    <message>
+        <source>There is no command and no setting of that name</source>
+        <translation>Er is geen opdracht en geen instelling met die naam</translation>
+    </message>
+</context>
+<context>
+    <name>CommentPins</name>
+    <message>
+        <source>Comment %1: %2</source>
+        <translation>Opmerking %1: %2</translation>
+    </message>
+    <message>
+        <source>Click the place that you want to comment on. Esc ends it.</source>
+        <translation>Klik op de plek waar de opmerking bij hoort. Esc stopt.</translation>
+    </message>
+</context>
+<context>
+    <name>CommentRow</name>
+    <message>
+        <source>Comment %1 by %2: %3</source>
+        <translation>Opmerking %1 van %2: %3</translation>
+    </message>
+    <message>
+        <source>Of a plan before the last change</source>
+        <translation>Van een plan vóór de laatste wijziging</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Heropenen</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Afgehandeld</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>DriveBar</name>
+    <message>
+        <source>Drive-through</source>
+        <translation>Afrijden</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pauze</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Plan afrijden</translation>
+    </message>
+    <message>
+        <source>Moment of the drive</source>
+        <translation>Moment van de rit</translation>
+    </message>
+    <message>
+        <source>Pace: %1 times as fast</source>
+        <translation>Tempo: %1 keer zo snel</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Let the map rest</source>
+        <translation>Kaart laten rusten</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>De machine volgen</translation>
+    </message>
+    <message>
+        <source>Hide the drive-through</source>
+        <translation>Afrijden verbergen</translation>
     </message>
 </context>
 <context>
@@ -742,6 +919,53 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Bevinding %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Apply: %1</source>
+        <translation>Toepassen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HeadingChart</name>
+    <message>
+        <source>Time by</source>
+        <translation>Tijd naar</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>richting</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>overlap</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>gemist</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>keren</translation>
+    </message>
+    <message>
+        <source>Time by %1</source>
+        <translation>Tijd naar %1</translation>
+    </message>
+    <message>
+        <source>Directions of swaths and their times</source>
+        <translation>Richtingen van werkgangen en hun tijden</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 at least</source>
+        <translation>minstens %1</translation>
+    </message>
+    <message>
+        <source>Let Furrow search the direction</source>
+        <translation>Furrow de richting laten zoeken</translation>
     </message>
 </context>
 <context>
@@ -1080,6 +1304,10 @@
         <source>Delete</source>
         <translation>Verwijderen</translation>
     </message>
+    <message>
+        <source>Drive from here</source>
+        <translation>Rijden vanaf hier</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -1376,6 +1604,13 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+</context>
+<context>
     <name>OrderRow</name>
     <message>
         <source>%1. Swath %2, %3</source>
@@ -1388,6 +1623,29 @@
     <message>
         <source>Drive swath %1 the other way</source>
         <translation>Werkgang %1 andersom rijden</translation>
+    </message>
+</context>
+<context>
+    <name>PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Pagina&apos;s</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Pagina %1 van %2</translation>
+    </message>
+    <message>
+        <source>Planning for the pages …</source>
+        <translation>Er wordt gepland voor de pagina&apos;s …</translation>
+    </message>
+    <message>
+        <source>Stopped before there were pages.</source>
+        <translation>Gestopt voordat er pagina&apos;s waren.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Opnieuw proberen</translation>
     </message>
 </context>
 <context>
@@ -5446,6 +5704,248 @@
         <source>swath %1 is driven first</source>
         <translation>werkgang %1 wordt het eerst gereden</translation>
     </message>
+    <message>
+        <source>%1 are driven outside of the field</source>
+        <translation>%1 wordt buiten het perceel gereden</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 more than the longest edge (%3)</source>
+        <translation>%1 kost %2 meer dan de langste rand (%3)</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 u %2 min</translation>
+    </message>
+    <message>
+        <source>%1 is as quick as the longest edge (%2)</source>
+        <translation>%1 is even snel als de langste rand (%2)</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no amount</source>
+        <translation>%1 van een werkopdracht is geen hoeveelheid</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no text</source>
+        <translation>%1 van een werkopdracht is geen tekst</translation>
+    </message>
+    <message>
+        <source>%1 runs along the longest edge</source>
+        <translation>%1 loopt langs de langste rand</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 against the longest edge (%3)</source>
+        <translation>%1 bespaart %2 tegenover de langste rand (%3)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 each</source>
+        <translation>%1 × %2, elk %3</translation>
+    </message>
+    <message>
+        <source>%1: a turn of this machine, with a radius of %2, needs %3.</source>
+        <translation>%1: keren met deze machine, met een straal van %2, vraagt %3.</translation>
+    </message>
+    <message>
+        <source>%1: a turn to the next swath would need %2, so turns are made in other ways.</source>
+        <translation>%1: keren naar de volgende werkgang zou %2 vragen, daarom wordt anders gekeerd.</translation>
+    </message>
+    <message>
+        <source>%1: its work order is not used: %2</source>
+        <translation>%1: de werkopdracht wordt niet gebruikt: %2</translation>
+    </message>
+    <message>
+        <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
+        <translation>%1: het perceel is te smal voor de %2 die keren met deze machine vraagt.</translation>
+    </message>
+    <message>
+        <source>%1; the machine keeps %2 from its edge at least.</source>
+        <translation>%1; de machine blijft minstens %2 van de rand.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n deelperceel</numerusform>
+            <numerusform>%n deelpercelen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes of %1</source>
+        <translation>
+            <numerusform>%n werkgang van %1</numerusform>
+            <numerusform>%n werkgangen van %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths</source>
+        <translation>
+            <numerusform>%n werkgang</numerusform>
+            <numerusform>%n werkgangen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
+        <translation>In %1 stukken gedeeld waar werkgangen onderbroken zijn, samengevoegd tot %2.</translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
+        <translation>In %1 stukken gedeeld waar werkgangen onderbroken zijn; samengevoegd tot %2 bespaart dat %3 aan keren en rijden.</translation>
+    </message>
+    <message>
+        <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
+        <translation>Randen waar werkgangen langs lopen krijgen %1, randen waar ze eindigen tot %2: keren met deze machine vraagt %3.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary, as chosen.</source>
+        <translation>Alles blijft %1 van de grens, zoals gekozen.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
+        <translation>Alles blijft %1 van de grens: nauwkeuriger is niet bekend waar die loopt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Geen richting heeft minder dan %n werkgang.</numerusform>
+            <numerusform>Geen richting heeft minder dan %n werkgangen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried covers more: %1 inside the headland.</source>
+        <translation>Geen geprobeerde richting bewerkt meer: %1 binnen de kopakker.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading that was tried has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Geen geprobeerde richting heeft minder dan %n werkgang.</numerusform>
+            <numerusform>Geen geprobeerde richting heeft minder dan %n werkgangen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried has shorter swaths: %1.</source>
+        <translation>Geen geprobeerde richting heeft kortere werkgangen: %1.</translation>
+    </message>
+    <message>
+        <source>No heading that was tried works less land twice: %1.</source>
+        <translation>Geen geprobeerde richting bewerkt minder land dubbel: %1.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
+        <translation>Geen volgorde van deze werkgangen kan meer dan %1 van het keren besparen, of %2 van alles.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths is better; that is proved.</source>
+        <translation>Geen volgorde van deze werkgangen is beter; dat is bewezen.</translation>
+    </message>
+    <message>
+        <source>Nothing divides the swaths: one cell.</source>
+        <translation>Niets deelt de werkgangen: één deelperceel.</translation>
+    </message>
+    <message>
+        <source>Nothing stands outside of the field</source>
+        <translation>Niets komt buiten het perceel</translation>
+    </message>
+    <message>
+        <source>One pass all round works the whole field.</source>
+        <translation>Eén rondgang bewerkt het hele perceel.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <translation>
+            <numerusform>Hoeken of obstakels onderbreken de werkgangen: %n deelperceel.</numerusform>
+            <numerusform>Hoeken of obstakels onderbreken de werkgangen: %n deelpercelen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The longest way without work, %1, follows %2.</source>
+        <translation>De langste weg zonder werk, %1, volgt op %2.</translation>
+    </message>
+    <message>
+        <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
+        <translation>Geen kopakker, zoals gekozen. Keren reikt %1 voorbij het einde van de werkgangen.</translation>
+    </message>
+    <message>
+        <source>Turns take %1 less than with the pattern “%2” (%3).</source>
+        <translation>Keren kost %1 minder dan met het patroon ‘%2’ (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take %1 more than with the pattern “%2” (%3).</source>
+        <translation>Keren kost %1 meer dan met het patroon ‘%2’ (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take about as much as with the pattern “%1”.</source>
+        <translation>Keren kost ongeveer evenveel als met het patroon ‘%1’.</translation>
+    </message>
+    <message>
+        <source>a member that every plan has is missing or of another kind</source>
+        <translation>een gegeven dat elk plan heeft ontbreekt of is van een andere soort</translation>
+    </message>
+    <message>
+        <source>a work order is a JSON object, and this is none</source>
+        <translation>een werkopdracht is een JSON-object, en dit is er geen</translation>
+    </message>
+    <message>
+        <source>bulb turn</source>
+        <translation>omegabocht</translation>
+    </message>
+    <message>
+        <source>by this estimate %1 would save %2</source>
+        <translation>volgens deze schatting zou %1 %2 besparen</translation>
+    </message>
+    <message>
+        <source>fishtail turn</source>
+        <translation>visstaartbocht</translation>
+    </message>
+    <message>
+        <source>give a number that is not negative, or leave it out</source>
+        <translation>geef een getal dat niet negatief is, of laat het weg</translation>
+    </message>
+    <message>
+        <source>it is draft, issued, in_progress or done</source>
+        <translation>het is draft, issued, in_progress of done</translation>
+    </message>
+    <message>
+        <source>no heading is quicker</source>
+        <translation>geen richting is sneller</translation>
+    </message>
+    <message>
+        <source>no plan of this project was sent for this review</source>
+        <translation>geen plan van dit project is voor deze beoordeling verstuurd</translation>
+    </message>
+    <message>
+        <source>open the project that the plan was sent from, or open the file by itself</source>
+        <translation>open het project waaruit het plan kwam, of het bestand op zichzelf</translation>
+    </message>
+    <message>
+        <source>put it in quotation marks</source>
+        <translation>zet het tussen aanhalingstekens</translation>
+    </message>
+    <message>
+        <source>see the README for the members of a work order</source>
+        <translation>zie de README voor de gegevens van een werkopdracht</translation>
+    </message>
+    <message>
+        <source>there is no such status of a work order</source>
+        <translation>deze status van een werkopdracht bestaat niet</translation>
+    </message>
+    <message>
+        <source>there is no way to drive</source>
+        <translation>er is geen weg om te rijden</translation>
+    </message>
+    <message>
+        <source>turn on the spot</source>
+        <translation>draai ter plaatse</translation>
+    </message>
+    <message>
+        <source>turn with reversing</source>
+        <translation>keren met achteruitrijden</translation>
+    </message>
+    <message>
+        <source>way straight on</source>
+        <translation>weg rechtdoor</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5480,6 +5980,92 @@
     <message>
         <source>Close</source>
         <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>PrintDialog</name>
+    <message>
+        <source>Print the work order</source>
+        <translation>Werkopdracht afdrukken</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Opnieuw plannen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
+        <translation>
+            <numerusform>%n probleem in dit plan: het kan zo niet gereden worden. De pagina&apos;s zeggen dat ook.</numerusform>
+            <numerusform>%n problemen in dit plan: het kan zo niet gereden worden. De pagina&apos;s zeggen dat ook.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pages of</source>
+        <translation>Pagina&apos;s van</translation>
+    </message>
+    <message>
+        <source>This field</source>
+        <translation>Dit perceel</translation>
+    </message>
+    <message>
+        <source>The whole farm (%1)</source>
+        <translation>Het hele bedrijf (%1)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Printer</translation>
+    </message>
+    <message>
+        <source>No printer was found</source>
+        <translation>Geen printer gevonden</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Afbeelding opslaan…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Afdrukken</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Opslaan als PDF…</translation>
+    </message>
+    <message>
+        <source>Save the work order</source>
+        <translation>Werkopdracht opslaan</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Save the page with the map as a picture</source>
+        <translation>De pagina met de kaart als afbeelding opslaan</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Afbeeldingen (%1)</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +6164,111 @@
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
         <translation>In dit plan is niets gevonden: alles kan worden gereden.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDialogs</name>
+    <message>
+        <source>Send for review</source>
+        <translation>Ter beoordeling sturen</translation>
+    </message>
+    <message>
+        <source>Review files (%1)</source>
+        <translation>Beoordelingsbestanden (%1)</translation>
+    </message>
+    <message>
+        <source>Take in what came back</source>
+        <translation>Overnemen wat terugkwam</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle bestanden (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSection</name>
+    <message numerus="yes">
+        <source>Review · %n open comment(s)</source>
+        <translation>
+            <numerusform>Beoordeling · %n open opmerking</numerusform>
+            <numerusform>Beoordeling · %n open opmerkingen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Beoordeling</translation>
+    </message>
+    <message>
+        <source>The plan has changed since.</source>
+        <translation>Het plan is sindsdien gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Intrekken</translation>
+    </message>
+    <message>
+        <source>At the place that you clicked:</source>
+        <translation>Op de aangeklikte plek:</translation>
+    </message>
+    <message>
+        <source>On the whole plan:</source>
+        <translation>Bij het hele plan:</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Opmerking</translation>
+    </message>
+    <message>
+        <source>What should be seen to?</source>
+        <translation>Waar moet op gelet worden?</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Uw naam</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Toevoegen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>On a place…</source>
+        <translation>Bij een plek…</translation>
+    </message>
+    <message>
+        <source>On the whole plan…</source>
+        <translation>Bij het hele plan…</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Goedkeuren</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Wijzigingen vragen</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Doorsturen…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Ter beoordeling sturen…</translation>
+    </message>
+    <message>
+        <source>Take in what came back…</source>
+        <translation>Overnemen wat terugkwam…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +6597,415 @@
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Several moves</source>
+        <translation>Meerdere bewegingen</translation>
+    </message>
+</context>
+<context>
+    <name>WorkOrderPages</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>zoals getekend</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <comment>work order</comment>
+        <translation>Concept</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <comment>work order</comment>
+        <translation>Uitgegeven</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <comment>work order</comment>
+        <translation>Bezig</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <comment>work order</comment>
+        <translation>Klaar</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not drivable: %n problem(s)</source>
+        <translation>
+            <numerusform>Niet te rijden: %n probleem</numerusform>
+            <numerusform>Niet te rijden: %n problemen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Werkopdracht</translation>
+    </message>
+    <message>
+        <source>Work order %1</source>
+        <translation>Werkopdracht %1</translation>
+    </message>
+    <message>
+        <source>%1/ac</source>
+        <translation>%1/ac</translation>
+    </message>
+    <message>
+        <source>%1/ha</source>
+        <translation>%1/ha</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Klant</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Adres van het perceel</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bestuurder</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Product</translation>
+    </message>
+    <message>
+        <source>Rate and total</source>
+        <translation>Dosering en totaal</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <comment>rate and total</comment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Where the work starts</source>
+        <translation>Waar het werk begint</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Inrit</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Oppervlakte</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Gereden</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Werken</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bewerkt</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Dubbel bewerkt</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Buiten het perceel</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Brandstof</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>Above the best order</source>
+        <translation>Boven de beste volgorde</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Working width</source>
+        <translation>Werkbreedte</translation>
+    </message>
+    <message>
+        <source>Width in turns</source>
+        <translation>Breedte bij draaien</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>Draaistraal</translation>
+    </message>
+    <message>
+        <source>Speed at work</source>
+        <translation>Werksnelheid</translation>
+    </message>
+    <message>
+        <source>Speed in turns</source>
+        <translation>Snelheid bij draaien</translation>
+    </message>
+    <message>
+        <source>Implement</source>
+        <translation>Werktuig</translation>
+    </message>
+    <message>
+        <source>trailed</source>
+        <translation>getrokken</translation>
+    </message>
+    <message>
+        <source>mounted</source>
+        <translation>gedragen</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n gang</numerusform>
+            <numerusform>%n gangen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>headland</comment>
+        <translation>geen</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Bewerking</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Kopakker</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Werkgangen</translation>
+    </message>
+    <message>
+        <source>Kept free at the edge</source>
+        <translation>Vrij gehouden langs de rand</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Plan and settings</source>
+        <translation>Plan en instellingen</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Uitvoering</translation>
+    </message>
+    <message>
+        <source>Acres worked</source>
+        <translation>Bewerkte acres</translation>
+    </message>
+    <message>
+        <source>Hectares worked</source>
+        <translation>Bewerkte hectares</translation>
+    </message>
+    <message>
+        <source>Hours</source>
+        <translation>Uren</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Begin</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>of the work</comment>
+        <translation>Einde</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatuur</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Opmerkingen</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Handtekening</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Bevindingen</translation>
+    </message>
+    <message>
+        <source>None: the plan can be driven as drawn.</source>
+        <translation>Geen: het plan kan zo gereden worden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the window and in summary.json</source>
+        <translation>
+            <numerusform>en nog %n, in het venster en in summary.json</numerusform>
+            <numerusform>en nog %n, in het venster en in summary.json</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>count and kind of turns</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse</source>
+        <translation>%1 achteruit</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <comment>headland pass</comment>
+        <translation>K%1</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Werkgang %1</translation>
+    </message>
+    <message>
+        <source>Order of the passes</source>
+        <translation>Volgorde van de werkgangen</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Werkgang</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Lengte</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Naar</translation>
+    </message>
+    <message>
+        <source>This plan&apos;s path.csv has the SHA-256 sum below. A file with another sum is another plan.</source>
+        <translation>De path.csv van dit plan heeft de SHA-256-som hieronder. Een bestand met een andere som is een ander plan.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>1 : %1</source>
+        <comment>scale of a map</comment>
+        <translation>1 : %1</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Einde</translation>
+    </message>
+    <message>
+        <source>Swath</source>
+        <translation>Werkgang</translation>
+    </message>
+    <message>
+        <source>Headland pass</source>
+        <translation>Kopakkergang</translation>
+    </message>
+    <message>
+        <source>Implement up</source>
+        <translation>Werktuig geheven</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Bevinding</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstakel</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Bedrijf</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Werkopdrachten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n perceel</numerusform>
+            <numerusform>%n percelen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Perceel</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Pagina</translation>
+    </message>
+    <message>
+        <source>Not drivable</source>
+        <translation>Niet te rijden</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Totaal</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation>plan %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Pagina %1 van %2</translation>
+    </message>
+</context>
+<context>
     <name>furrow::BestSearch</name>
     <message>
         <source>Take the best plan</source>
@@ -5971,6 +7071,53 @@
     <message>
         <source>%1 quicker</source>
         <translation>%1 sneller</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DriveThrough</name>
+    <message>
+        <source>Swath %1, %2 of %3</source>
+        <translation>Werkgang %1, %2 van %3</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>achteruit</translation>
+    </message>
+    <message>
+        <source>implement down</source>
+        <translation>werktuig neer</translation>
+    </message>
+    <message>
+        <source>implement folded</source>
+        <translation>werktuig ingeklapt</translation>
+    </message>
+    <message>
+        <source>implement up</source>
+        <translation>werktuig omhoog</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 gedaan</translation>
+    </message>
+    <message>
+        <source>wheels straight</source>
+        <translation>wielen recht</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° links</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° rechts</translation>
+    </message>
+    <message>
+        <source>tank %1</source>
+        <translation>tank %1</translation>
+    </message>
+    <message>
+        <source>tank empty</source>
+        <translation>tank leeg</translation>
     </message>
 </context>
 <context>
@@ -6266,6 +7413,66 @@
     </message>
 </context>
 <context>
+    <name>furrow::FindingsModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>geen problemen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n probleem</numerusform>
+            <numerusform>%n problemen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Before: %2. Now: %3.</source>
+        <translation>%1. Eerst: %2. Nu: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::HeadingChoice</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>no swath fits</source>
+        <translation>geen werkgang past</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n werkgang</numerusform>
+            <numerusform>%n werkgangen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 turning</source>
+        <translation>%1 keren</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 dubbel</translation>
+    </message>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 gemist</translation>
+    </message>
+    <message>
+        <source>Swaths along %1</source>
+        <translation>Werkgangen in richting %1</translation>
+    </message>
+    <message>
+        <source>Search the heading</source>
+        <translation>Richting zoeken</translation>
+    </message>
+</context>
+<context>
     <name>furrow::ImageryModel</name>
     <message>
         <source>%1: %2</source>
@@ -6314,6 +7521,73 @@
         <source>auto · %1</source>
         <translation>auto · %1</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>machine</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::OrderModel</name>
+    <message>
+        <source>Order number</source>
+        <translation>Opdrachtnummer</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Klant</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Adres van het perceel</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bestuurder</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Product</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dosering</translation>
+    </message>
+    <message>
+        <source>Unit of the rate</source>
+        <translation>Eenheid van de dosering</translation>
+    </message>
+    <message>
+        <source>Area worked</source>
+        <translation>Bewerkte oppervlakte</translation>
+    </message>
+    <message>
+        <source>Hours worked</source>
+        <translation>Gewerkte uren</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Opmerkingen</translation>
+    </message>
+    <message>
+        <source>%1 per acre</source>
+        <translation>%1 per acre</translation>
+    </message>
+    <message>
+        <source>%1 per hectare</source>
+        <translation>%1 per hectare</translation>
+    </message>
+    <message>
+        <source>Change the work order</source>
+        <translation>Werkopdracht wijzigen</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ParameterModel</name>
@@ -6324,6 +7598,33 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanChange</name>
+    <message>
+        <source>time %1</source>
+        <translation>tijd %1</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>weg %1</translation>
+    </message>
+    <message>
+        <source>covered %1</source>
+        <translation>bewerkt %1</translation>
+    </message>
+    <message>
+        <source>worked twice %1</source>
+        <translation>dubbel bewerkt %1</translation>
+    </message>
+    <message>
+        <source>With the last change: the same time, length and area.</source>
+        <translation>Met de laatste wijziging: dezelfde tijd, lengte en oppervlakte.</translation>
+    </message>
+    <message>
+        <source>With the last change: %1</source>
+        <translation>Met de laatste wijziging: %1</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +7694,49 @@
             <numerusform>%n probleem</numerusform>
             <numerusform>%n problemen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::Printing</name>
+    <message>
+        <source>There is no field yet, and no plan to print.</source>
+        <translation>Er is nog geen perceel en geen plan om af te drukken.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be printed when it is finished.</source>
+        <translation>Het plan wordt nog gemaakt. Het kan worden afgedrukt als het klaar is.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date. Plan again to print it.</source>
+        <translation>Het plan is verouderd. Plan opnieuw om het af te drukken.</translation>
+    </message>
+    <message>
+        <source>There is no plan to print. The message on the map says why.</source>
+        <translation>Er is geen plan om af te drukken. De melding op de kaart zegt waarom.</translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Werkopdracht</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Werkopdrachten</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschreven: %1</translation>
+    </message>
+    <message>
+        <source>The printer %1 did not take the pages.</source>
+        <translation>De printer %1 nam de pagina&apos;s niet aan.</translation>
+    </message>
+    <message>
+        <source>Look whether it is on, or save a PDF and print that.</source>
+        <translation>Kijk of hij aan staat, of sla een PDF op en druk die af.</translation>
+    </message>
+    <message>
+        <source>Sent to %1</source>
+        <translation>Verzonden naar %1</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +7869,92 @@
             <numerusform>%n perceel</numerusform>
             <numerusform>%n percelen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ReviewModel</name>
+    <message>
+        <source>Only a finished plan of what the panels show can be sent.</source>
+        <translation>Alleen een afgerond plan van wat de panelen tonen kan worden verstuurd.</translation>
+    </message>
+    <message>
+        <source>Approved: %1</source>
+        <translation>Goedgekeurd: %1</translation>
+    </message>
+    <message>
+        <source>Changes wanted: %1</source>
+        <translation>Wijzigingen gewenst: %1</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Opmerking</translation>
+    </message>
+    <message>
+        <source>Remove a comment</source>
+        <translation>Opmerking verwijderen</translation>
+    </message>
+    <message>
+        <source>Settle a comment</source>
+        <translation>Opmerking afhandelen</translation>
+    </message>
+    <message>
+        <source>Open a comment again</source>
+        <translation>Opmerking heropenen</translation>
+    </message>
+    <message>
+        <source>Approve the plan</source>
+        <translation>Plan goedkeuren</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Wijzigingen vragen</translation>
+    </message>
+    <message>
+        <source>Take the verdict back</source>
+        <translation>Oordeel intrekken</translation>
+    </message>
+    <message>
+        <source>review</source>
+        <translation>beoordeling</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Send for review</source>
+        <translation>Ter beoordeling sturen</translation>
+    </message>
+    <message>
+        <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
+        <translation>Geschreven: %1. Wie Furrow heeft, kan het openen, van opmerkingen voorzien en terugsturen.</translation>
+    </message>
+    <message>
+        <source>Take in a review</source>
+        <translation>Beoordeling overnemen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new comment(s)</source>
+        <translation>
+            <numerusform>%n nieuwe opmerking</numerusform>
+            <numerusform>%n nieuwe opmerkingen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The review was brought up to date</source>
+        <translation>De beoordeling is bijgewerkt</translation>
+    </message>
+    <message>
+        <source>Nothing new in this review</source>
+        <translation>Niets nieuws in deze beoordeling</translation>
+    </message>
+    <message>
+        <source>%1. The plan has changed since it was sent.</source>
+        <translation>%1. Het plan is sinds het versturen gewijzigd.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +8097,10 @@
     <message>
         <source>turns within %1 of the best</source>
         <translation>draaien: hooguit +%1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -375,6 +375,110 @@
         <source>quickest optimise compare alternatives</source>
         <translation>mais rápido otimizar comparar alternativas</translation>
     </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Imprimir a ordem de serviço…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>imprimir PDF relatório ordem de serviço imagem impressora</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Percorrer o plano</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Pausar o percurso</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>percorrer reproduzir pausar simular máquina</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Percorrer a partir da seleção</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>percorrer aqui passada manobra</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Percorrer mais rápido</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>ritmo velocidade</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Percorrer mais devagar</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Seguir a máquina</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>percorrer mapa centro</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Barra de percurso</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>percorrer reproduzir controle</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Comentar um lugar…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>revisão nota observação lugar</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Comentar o plano todo…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>revisão nota observação</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Enviar para revisão…</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>prestador compartilhar arquivo aprovar</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Incorporar uma revisão que voltou…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>juntar comentários prestador</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Próximo aviso</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>problema verificar percorrer</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Aviso anterior</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>problema verificar voltar</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -509,16 +613,89 @@
 <context>
     <name>CommandPalette</name>
     <message>
-        <source>Search commands</source>
-        <translation>Buscar comandos</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There is no such command</source>
-        <translation>Esse comando não existe</translation>
+        <source>Search commands and settings</source>
+        <translation>Buscar comandos e configurações</translation>
+    </message>
+    <message>
+        <source>There is no command and no setting of that name</source>
+        <translation>Não há comando nem configuração com esse nome</translation>
+    </message>
+</context>
+<context>
+    <name>CommentPins</name>
+    <message>
+        <source>Comment %1: %2</source>
+        <translation>Comentário %1: %2</translation>
+    </message>
+    <message>
+        <source>Click the place that you want to comment on. Esc ends it.</source>
+        <translation>Clique no lugar que quer comentar. Esc termina.</translation>
+    </message>
+</context>
+<context>
+    <name>CommentRow</name>
+    <message>
+        <source>Comment %1 by %2: %3</source>
+        <translation>Comentário %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Of a plan before the last change</source>
+        <translation>De um plano anterior à última mudança</translation>
+    </message>
+    <message>
+        <source>Open again</source>
+        <translation>Reabrir</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Resolvido</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remover</translation>
+    </message>
+</context>
+<context>
+    <name>DriveBar</name>
+    <message>
+        <source>Drive-through</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Percorrer o plano</translation>
+    </message>
+    <message>
+        <source>Moment of the drive</source>
+        <translation>Momento do percurso</translation>
+    </message>
+    <message>
+        <source>Pace: %1 times as fast</source>
+        <translation>Ritmo: %1 vezes mais rápido</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Let the map rest</source>
+        <translation>Deixar o mapa parado</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Seguir a máquina</translation>
+    </message>
+    <message>
+        <source>Hide the drive-through</source>
+        <translation>Ocultar o percurso</translation>
     </message>
 </context>
 <context>
@@ -742,6 +919,53 @@
     <message>
         <source>Finding %1: %2 %3</source>
         <translation>Aviso %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Apply: %1</source>
+        <translation>Aplicar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HeadingChart</name>
+    <message>
+        <source>Time by</source>
+        <translation>Tempo por</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>direção</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>sobreposição</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>não feito</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>manobras</translation>
+    </message>
+    <message>
+        <source>Time by %1</source>
+        <translation>Tempo por %1</translation>
+    </message>
+    <message>
+        <source>Directions of swaths and their times</source>
+        <translation>Direções das passadas e seus tempos</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 at least</source>
+        <translation>no mínimo %1</translation>
+    </message>
+    <message>
+        <source>Let Furrow search the direction</source>
+        <translation>Deixar o Furrow buscar a direção</translation>
     </message>
 </context>
 <context>
@@ -1080,6 +1304,10 @@
         <source>Delete</source>
         <translation>Excluir</translation>
     </message>
+    <message>
+        <source>Drive from here</source>
+        <translation>Percorrer daqui</translation>
+    </message>
 </context>
 <context>
     <name>KeysDialog</name>
@@ -1376,6 +1604,13 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Status</source>
+        <translation>Situação</translation>
+    </message>
+</context>
+<context>
     <name>OrderRow</name>
     <message>
         <source>%1. Swath %2, %3</source>
@@ -1388,6 +1623,29 @@
     <message>
         <source>Drive swath %1 the other way</source>
         <translation>Percorrer a passada %1 ao contrário</translation>
+    </message>
+</context>
+<context>
+    <name>PageList</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+    <message>
+        <source>Planning for the pages …</source>
+        <translation>Planejando para as páginas …</translation>
+    </message>
+    <message>
+        <source>Stopped before there were pages.</source>
+        <translation>Parado antes de haver páginas.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Tentar de novo</translation>
     </message>
 </context>
 <context>
@@ -5446,6 +5704,248 @@
         <source>swath %1 is driven first</source>
         <translation>a passada %1 é feita primeiro</translation>
     </message>
+    <message>
+        <source>%1 are driven outside of the field</source>
+        <translation>%1 são percorridos fora do talhão</translation>
+    </message>
+    <message>
+        <source>%1 costs %2 more than the longest edge (%3)</source>
+        <translation>%1 custa %2 a mais que a borda mais longa (%3)</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 is as quick as the longest edge (%2)</source>
+        <translation>%1 é tão rápido quanto a borda mais longa (%2)</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no amount</source>
+        <translation>%1 de uma ordem de serviço não é uma quantidade</translation>
+    </message>
+    <message>
+        <source>%1 of a work order is no text</source>
+        <translation>%1 de uma ordem de serviço não é um texto</translation>
+    </message>
+    <message>
+        <source>%1 runs along the longest edge</source>
+        <translation>%1 segue a borda mais longa</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 against the longest edge (%3)</source>
+        <translation>%1 poupa %2 em relação à borda mais longa (%3)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 each</source>
+        <translation>%1 × %2, %3 cada</translation>
+    </message>
+    <message>
+        <source>%1: a turn of this machine, with a radius of %2, needs %3.</source>
+        <translation>%1: uma manobra desta máquina, com raio de %2, precisa de %3.</translation>
+    </message>
+    <message>
+        <source>%1: a turn to the next swath would need %2, so turns are made in other ways.</source>
+        <translation>%1: uma manobra para a passada seguinte precisaria de %2, por isso manobra-se de outra forma.</translation>
+    </message>
+    <message>
+        <source>%1: its work order is not used: %2</source>
+        <translation>%1: a ordem de serviço não é usada: %2</translation>
+    </message>
+    <message>
+        <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
+        <translation>%1: o talhão é estreito demais para os %2 que uma manobra desta máquina precisa.</translation>
+    </message>
+    <message>
+        <source>%1; the machine keeps %2 from its edge at least.</source>
+        <translation>%1; a máquina mantém pelo menos %2 da borda.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cells</source>
+        <translation>
+            <numerusform>%n subtalhão</numerusform>
+            <numerusform>%n subtalhões</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes of %1</source>
+        <translation>
+            <numerusform>%n passada de %1</numerusform>
+            <numerusform>%n passadas de %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swaths</source>
+        <translation>
+            <numerusform>%n passada</numerusform>
+            <numerusform>%n passadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
+        <translation>Cortado em %1 partes onde as passadas são interrompidas, juntas em %2.</translation>
+    </message>
+    <message>
+        <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
+        <translation>Cortado em %1 partes onde as passadas são interrompidas; juntá-las em %2 poupa %3 de manobras e trajetos.</translation>
+    </message>
+    <message>
+        <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
+        <translation>Bordas ao longo das passadas recebem %1, bordas onde terminam até %2: uma manobra desta máquina precisa de %3.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary, as chosen.</source>
+        <translation>Tudo fica a %1 do limite, como escolhido.</translation>
+    </message>
+    <message>
+        <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
+        <translation>Tudo fica a %1 do limite: não se sabe com mais exatidão onde ele passa.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Nenhuma direção tem menos de %n passada.</numerusform>
+            <numerusform>Nenhuma direção tem menos de %n passadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried covers more: %1 inside the headland.</source>
+        <translation>Nenhuma direção testada cobre mais: %1 dentro da cabeceira.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No heading that was tried has fewer than %n swaths.</source>
+        <translation>
+            <numerusform>Nenhuma direção testada tem menos de %n passada.</numerusform>
+            <numerusform>Nenhuma direção testada tem menos de %n passadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No heading that was tried has shorter swaths: %1.</source>
+        <translation>Nenhuma direção testada tem passadas mais curtas: %1.</translation>
+    </message>
+    <message>
+        <source>No heading that was tried works less land twice: %1.</source>
+        <translation>Nenhuma direção testada trabalha menos área duas vezes: %1.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
+        <translation>Nenhuma ordem destas passadas pode poupar mais de %1 das manobras, ou %2 de tudo.</translation>
+    </message>
+    <message>
+        <source>No order of these swaths is better; that is proved.</source>
+        <translation>Nenhuma ordem destas passadas é melhor; isso está provado.</translation>
+    </message>
+    <message>
+        <source>Nothing divides the swaths: one cell.</source>
+        <translation>Nada divide as passadas: um subtalhão.</translation>
+    </message>
+    <message>
+        <source>Nothing stands outside of the field</source>
+        <translation>Nada fica fora do talhão</translation>
+    </message>
+    <message>
+        <source>One pass all round works the whole field.</source>
+        <translation>Uma volta trabalha o talhão todo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <translation>
+            <numerusform>Cantos ou obstáculos interrompem as passadas: %n subtalhão.</numerusform>
+            <numerusform>Cantos ou obstáculos interrompem as passadas: %n subtalhões.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The longest way without work, %1, follows %2.</source>
+        <translation>O trajeto mais longo sem trabalho, %1, vem depois de %2.</translation>
+    </message>
+    <message>
+        <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
+        <translation>Sem cabeceira, como escolhido. As manobras vão %1 além das pontas das passadas.</translation>
+    </message>
+    <message>
+        <source>Turns take %1 less than with the pattern “%2” (%3).</source>
+        <translation>As manobras custam %1 a menos que com o padrão “%2” (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take %1 more than with the pattern “%2” (%3).</source>
+        <translation>As manobras custam %1 a mais que com o padrão “%2” (%3).</translation>
+    </message>
+    <message>
+        <source>Turns take about as much as with the pattern “%1”.</source>
+        <translation>As manobras custam mais ou menos o mesmo que com o padrão “%1”.</translation>
+    </message>
+    <message>
+        <source>a member that every plan has is missing or of another kind</source>
+        <translation>falta um dado que todo plano tem, ou é de outro tipo</translation>
+    </message>
+    <message>
+        <source>a work order is a JSON object, and this is none</source>
+        <translation>uma ordem de serviço é um objeto JSON, e isto não é</translation>
+    </message>
+    <message>
+        <source>bulb turn</source>
+        <translation>manobra em ômega</translation>
+    </message>
+    <message>
+        <source>by this estimate %1 would save %2</source>
+        <translation>por esta estimativa, %1 pouparia %2</translation>
+    </message>
+    <message>
+        <source>fishtail turn</source>
+        <translation>manobra em rabo de peixe</translation>
+    </message>
+    <message>
+        <source>give a number that is not negative, or leave it out</source>
+        <translation>dê um número não negativo ou deixe de fora</translation>
+    </message>
+    <message>
+        <source>it is draft, issued, in_progress or done</source>
+        <translation>é draft, issued, in_progress ou done</translation>
+    </message>
+    <message>
+        <source>no heading is quicker</source>
+        <translation>nenhuma direção é mais rápida</translation>
+    </message>
+    <message>
+        <source>no plan of this project was sent for this review</source>
+        <translation>nenhum plano deste projeto foi enviado para esta revisão</translation>
+    </message>
+    <message>
+        <source>open the project that the plan was sent from, or open the file by itself</source>
+        <translation>abra o projeto de onde o plano foi enviado, ou o arquivo sozinho</translation>
+    </message>
+    <message>
+        <source>put it in quotation marks</source>
+        <translation>coloque entre aspas</translation>
+    </message>
+    <message>
+        <source>see the README for the members of a work order</source>
+        <translation>veja no README os dados de uma ordem de serviço</translation>
+    </message>
+    <message>
+        <source>there is no such status of a work order</source>
+        <translation>não existe essa situação de ordem de serviço</translation>
+    </message>
+    <message>
+        <source>there is no way to drive</source>
+        <translation>não há trajeto</translation>
+    </message>
+    <message>
+        <source>turn on the spot</source>
+        <translation>giro no lugar</translation>
+    </message>
+    <message>
+        <source>turn with reversing</source>
+        <translation>manobra com ré</translation>
+    </message>
+    <message>
+        <source>way straight on</source>
+        <translation>trajeto reto</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -5480,6 +5980,92 @@
     <message>
         <source>Close</source>
         <translation>Fechar</translation>
+    </message>
+</context>
+<context>
+    <name>PrintDialog</name>
+    <message>
+        <source>Print the work order</source>
+        <translation>Imprimir a ordem de serviço</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planejar de novo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
+        <translation>
+            <numerusform>%n problema neste plano: não pode ser percorrido como está. As páginas também dizem isso.</numerusform>
+            <numerusform>%n problemas neste plano: não pode ser percorrido como está. As páginas também dizem isso.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pages of</source>
+        <translation>Páginas de</translation>
+    </message>
+    <message>
+        <source>This field</source>
+        <translation>Este talhão</translation>
+    </message>
+    <message>
+        <source>The whole farm (%1)</source>
+        <translation>A propriedade toda (%1)</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Carta</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Impressora</translation>
+    </message>
+    <message>
+        <source>No printer was found</source>
+        <translation>Nenhuma impressora encontrada</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Salvar imagem…</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Salvar como PDF…</translation>
+    </message>
+    <message>
+        <source>Save the work order</source>
+        <translation>Salvar a ordem de serviço</translation>
+    </message>
+    <message>
+        <source>PDF (%1)</source>
+        <translation>PDF (%1)</translation>
+    </message>
+    <message>
+        <source>Save the page with the map as a picture</source>
+        <translation>Salvar a página do mapa como imagem</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Imagens (%1)</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +6164,111 @@
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
         <translation>Nada foi encontrado neste plano: tudo pode ser percorrido.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewDialogs</name>
+    <message>
+        <source>Send for review</source>
+        <translation>Enviar para revisão</translation>
+    </message>
+    <message>
+        <source>Review files (%1)</source>
+        <translation>Arquivos de revisão (%1)</translation>
+    </message>
+    <message>
+        <source>Take in what came back</source>
+        <translation>Incorporar o que voltou</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewSection</name>
+    <message numerus="yes">
+        <source>Review · %n open comment(s)</source>
+        <translation>
+            <numerusform>Revisão · %n comentário aberto</numerusform>
+            <numerusform>Revisão · %n comentários abertos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisão</translation>
+    </message>
+    <message>
+        <source>The plan has changed since.</source>
+        <translation>O plano mudou desde então.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>At the place that you clicked:</source>
+        <translation>No lugar clicado:</translation>
+    </message>
+    <message>
+        <source>On the whole plan:</source>
+        <translation>Sobre o plano todo:</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentário</translation>
+    </message>
+    <message>
+        <source>What should be seen to?</source>
+        <translation>O que deve ser visto?</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Seu nome</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Adicionar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>On a place…</source>
+        <translation>Em um lugar…</translation>
+    </message>
+    <message>
+        <source>On the whole plan…</source>
+        <translation>No plano todo…</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Aprovar</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Pedir mudanças</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Reenviar…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Enviar para revisão…</translation>
+    </message>
+    <message>
+        <source>Take in what came back…</source>
+        <translation>Incorporar o que voltou…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +6597,415 @@
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Several moves</source>
+        <translation>Várias manobras</translation>
+    </message>
+</context>
+<context>
+    <name>WorkOrderPages</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>como desenhado</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <comment>work order</comment>
+        <translation>Rascunho</translation>
+    </message>
+    <message>
+        <source>Issued</source>
+        <comment>work order</comment>
+        <translation>Emitida</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <comment>work order</comment>
+        <translation>Em andamento</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <comment>work order</comment>
+        <translation>Concluir</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not drivable: %n problem(s)</source>
+        <translation>
+            <numerusform>Não executável: %n problema</numerusform>
+            <numerusform>Não executável: %n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Ordem de serviço</translation>
+    </message>
+    <message>
+        <source>Work order %1</source>
+        <translation>Ordem de serviço %1</translation>
+    </message>
+    <message>
+        <source>%1/ac</source>
+        <translation>%1/ac</translation>
+    </message>
+    <message>
+        <source>%1/ha</source>
+        <translation>%1/ha</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Endereço do talhão</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operador</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produto</translation>
+    </message>
+    <message>
+        <source>Rate and total</source>
+        <translation>Dose e total</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <comment>rate and total</comment>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Where the work starts</source>
+        <translation>Onde o trabalho começa</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Percorrido</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Manobras</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Coberto</translation>
+    </message>
+    <message>
+        <source>Worked twice</source>
+        <translation>Trabalhado duas vezes</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Fora do talhão</translation>
+    </message>
+    <message>
+        <source>Fuel</source>
+        <translation>Combustível</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>Above the best order</source>
+        <translation>Acima da melhor ordem</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Working width</source>
+        <translation>Largura de trabalho</translation>
+    </message>
+    <message>
+        <source>Width in turns</source>
+        <translation>Largura nas manobras</translation>
+    </message>
+    <message>
+        <source>Turning radius</source>
+        <translation>Raio de giro</translation>
+    </message>
+    <message>
+        <source>Speed at work</source>
+        <translation>Velocidade de trabalho</translation>
+    </message>
+    <message>
+        <source>Speed in turns</source>
+        <translation>Velocidade nas manobras</translation>
+    </message>
+    <message>
+        <source>Implement</source>
+        <translation>Implemento</translation>
+    </message>
+    <message>
+        <source>trailed</source>
+        <translation>rebocado</translation>
+    </message>
+    <message>
+        <source>mounted</source>
+        <translation>montado</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Tanque</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass(es)</source>
+        <translation>
+            <numerusform>%n passada</numerusform>
+            <numerusform>%n passadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>headland</comment>
+        <translation>nenhuma</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operação</translation>
+    </message>
+    <message>
+        <source>Headland</source>
+        <translation>Cabeceira</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Kept free at the edge</source>
+        <translation>Margem livre na borda</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Plan and settings</source>
+        <translation>Plano e ajustes</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Execução</translation>
+    </message>
+    <message>
+        <source>Acres worked</source>
+        <translation>Acres trabalhados</translation>
+    </message>
+    <message>
+        <source>Hectares worked</source>
+        <translation>Hectares trabalhados</translation>
+    </message>
+    <message>
+        <source>Hours</source>
+        <translation>Horas</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Início</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <comment>of the work</comment>
+        <translation>Fim</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vento</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatura</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observações</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Assinatura</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>None: the plan can be driven as drawn.</source>
+        <translation>Nenhum: o plano pode ser percorrido como está.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, in the window and in summary.json</source>
+        <translation>
+            <numerusform>e mais %n, na janela e em summary.json</numerusform>
+            <numerusform>e mais %n, na janela e em summary.json</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>count and kind of turns</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 in reverse</source>
+        <translation>%1 em marcha à ré</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Manobras</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <comment>headland pass</comment>
+        <translation>C%1</translation>
+    </message>
+    <message>
+        <source>Swath %1</source>
+        <translation>Passada %1</translation>
+    </message>
+    <message>
+        <source>Order of the passes</source>
+        <translation>Ordem das passadas</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Passada</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Comprimento</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Para</translation>
+    </message>
+    <message>
+        <source>This plan&apos;s path.csv has the SHA-256 sum below. A file with another sum is another plan.</source>
+        <translation>O path.csv deste plano tem a soma SHA-256 abaixo. Um arquivo com outra soma é outro plano.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <comment>north</comment>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>1 : %1</source>
+        <comment>scale of a map</comment>
+        <translation>1 : %1</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Início</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fim</translation>
+    </message>
+    <message>
+        <source>Swath</source>
+        <translation>Passada</translation>
+    </message>
+    <message>
+        <source>Headland pass</source>
+        <translation>Passada de cabeceira</translation>
+    </message>
+    <message>
+        <source>Implement up</source>
+        <translation>Implemento levantado</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Obstáculo</translation>
+    </message>
+    <message>
+        <source>Farm</source>
+        <translation>Propriedade</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Ordens de serviço</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n talhão</numerusform>
+            <numerusform>%n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Talhão</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Situação</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Not drivable</source>
+        <translation>Não executável</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>plan %1</source>
+        <translation>plano %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Página %1 de %2</translation>
+    </message>
+</context>
+<context>
     <name>furrow::BestSearch</name>
     <message>
         <source>Take the best plan</source>
@@ -5971,6 +7071,53 @@
     <message>
         <source>%1 quicker</source>
         <translation>%1 mais rápido</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DriveThrough</name>
+    <message>
+        <source>Swath %1, %2 of %3</source>
+        <translation>Passada %1, %2 de %3</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>de ré</translation>
+    </message>
+    <message>
+        <source>implement down</source>
+        <translation>implemento abaixado</translation>
+    </message>
+    <message>
+        <source>implement folded</source>
+        <translation>implemento dobrado</translation>
+    </message>
+    <message>
+        <source>implement up</source>
+        <translation>implemento levantado</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 feitos</translation>
+    </message>
+    <message>
+        <source>wheels straight</source>
+        <translation>rodas retas</translation>
+    </message>
+    <message>
+        <source>%1° left</source>
+        <translation>%1° esquerda</translation>
+    </message>
+    <message>
+        <source>%1° right</source>
+        <translation>%1° direita</translation>
+    </message>
+    <message>
+        <source>tank %1</source>
+        <translation>tanque %1</translation>
+    </message>
+    <message>
+        <source>tank empty</source>
+        <translation>tanque vazio</translation>
     </message>
 </context>
 <context>
@@ -6266,6 +7413,66 @@
     </message>
 </context>
 <context>
+    <name>furrow::FindingsModel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>nenhum problema</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. Before: %2. Now: %3.</source>
+        <translation>%1. Antes: %2. Agora: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::HeadingChoice</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>no swath fits</source>
+        <translation>nenhuma passada cabe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s)</source>
+        <translation>
+            <numerusform>%n passada</numerusform>
+            <numerusform>%n passadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 turning</source>
+        <translation>%1 em manobras</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 duas vezes</translation>
+    </message>
+    <message>
+        <source>%1 missed</source>
+        <translation>%1 não feitos</translation>
+    </message>
+    <message>
+        <source>Swaths along %1</source>
+        <translation>Passadas na direção %1</translation>
+    </message>
+    <message>
+        <source>Search the heading</source>
+        <translation>Buscar a direção</translation>
+    </message>
+</context>
+<context>
     <name>furrow::ImageryModel</name>
     <message>
         <source>%1: %2</source>
@@ -6314,6 +7521,73 @@
         <source>auto · %1</source>
         <translation>auto · %1</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>máquina</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::OrderModel</name>
+    <message>
+        <source>Order number</source>
+        <translation>Número da ordem</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Field address</source>
+        <translation>Endereço do talhão</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operador</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produto</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Dose</translation>
+    </message>
+    <message>
+        <source>Unit of the rate</source>
+        <translation>Unidade da dose</translation>
+    </message>
+    <message>
+        <source>Area worked</source>
+        <translation>Área trabalhada</translation>
+    </message>
+    <message>
+        <source>Hours worked</source>
+        <translation>Horas trabalhadas</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observações</translation>
+    </message>
+    <message>
+        <source>%1 per acre</source>
+        <translation>%1 por acre</translation>
+    </message>
+    <message>
+        <source>%1 per hectare</source>
+        <translation>%1 por hectare</translation>
+    </message>
+    <message>
+        <source>Change the work order</source>
+        <translation>Alterar a ordem de serviço</translation>
+    </message>
 </context>
 <context>
     <name>furrow::ParameterModel</name>
@@ -6324,6 +7598,33 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanChange</name>
+    <message>
+        <source>time %1</source>
+        <translation>tempo %1</translation>
+    </message>
+    <message>
+        <source>path %1</source>
+        <translation>trajeto %1</translation>
+    </message>
+    <message>
+        <source>covered %1</source>
+        <translation>coberto %1</translation>
+    </message>
+    <message>
+        <source>worked twice %1</source>
+        <translation>trabalhado duas vezes %1</translation>
+    </message>
+    <message>
+        <source>With the last change: the same time, length and area.</source>
+        <translation>Com a última mudança: o mesmo tempo, comprimento e área.</translation>
+    </message>
+    <message>
+        <source>With the last change: %1</source>
+        <translation>Com a última mudança: %1</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +7694,49 @@
             <numerusform>%n problema</numerusform>
             <numerusform>%n problemas</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::Printing</name>
+    <message>
+        <source>There is no field yet, and no plan to print.</source>
+        <translation>Ainda não há talhão nem plano para imprimir.</translation>
+    </message>
+    <message>
+        <source>The plan is still being made. It can be printed when it is finished.</source>
+        <translation>O plano ainda está sendo feito. Poderá ser impresso quando estiver pronto.</translation>
+    </message>
+    <message>
+        <source>The plan is out of date. Plan again to print it.</source>
+        <translation>O plano está desatualizado. Planeje de novo para imprimi-lo.</translation>
+    </message>
+    <message>
+        <source>There is no plan to print. The message on the map says why.</source>
+        <translation>Não há plano para imprimir. A mensagem no mapa diz por quê.</translation>
+    </message>
+    <message>
+        <source>Work order</source>
+        <translation>Ordem de serviço</translation>
+    </message>
+    <message>
+        <source>Work orders</source>
+        <translation>Ordens de serviço</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Gravado: %1</translation>
+    </message>
+    <message>
+        <source>The printer %1 did not take the pages.</source>
+        <translation>A impressora %1 não aceitou as páginas.</translation>
+    </message>
+    <message>
+        <source>Look whether it is on, or save a PDF and print that.</source>
+        <translation>Veja se está ligada, ou salve um PDF e imprima-o.</translation>
+    </message>
+    <message>
+        <source>Sent to %1</source>
+        <translation>Enviado para %1</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +7869,92 @@
             <numerusform>%n talhão</numerusform>
             <numerusform>%n talhões</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::ReviewModel</name>
+    <message>
+        <source>Only a finished plan of what the panels show can be sent.</source>
+        <translation>Só um plano pronto do que os painéis mostram pode ser enviado.</translation>
+    </message>
+    <message>
+        <source>Approved: %1</source>
+        <translation>Aprovado: %1</translation>
+    </message>
+    <message>
+        <source>Changes wanted: %1</source>
+        <translation>Mudanças desejadas: %1</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Comentário</translation>
+    </message>
+    <message>
+        <source>Remove a comment</source>
+        <translation>Remover um comentário</translation>
+    </message>
+    <message>
+        <source>Settle a comment</source>
+        <translation>Resolver um comentário</translation>
+    </message>
+    <message>
+        <source>Open a comment again</source>
+        <translation>Reabrir um comentário</translation>
+    </message>
+    <message>
+        <source>Approve the plan</source>
+        <translation>Aprovar o plano</translation>
+    </message>
+    <message>
+        <source>Ask for changes</source>
+        <translation>Pedir mudanças</translation>
+    </message>
+    <message>
+        <source>Take the verdict back</source>
+        <translation>Retirar o parecer</translation>
+    </message>
+    <message>
+        <source>review</source>
+        <translation>revisão</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Send for review</source>
+        <translation>Enviar para revisão</translation>
+    </message>
+    <message>
+        <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
+        <translation>Escrito: %1. Quem tem o Furrow pode abrir, comentar e devolver.</translation>
+    </message>
+    <message>
+        <source>Take in a review</source>
+        <translation>Incorporar uma revisão</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new comment(s)</source>
+        <translation>
+            <numerusform>%n comentário novo</numerusform>
+            <numerusform>%n comentários novos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The review was brought up to date</source>
+        <translation>A revisão foi atualizada</translation>
+    </message>
+    <message>
+        <source>Nothing new in this review</source>
+        <translation>Nada de novo nesta revisão</translation>
+    </message>
+    <message>
+        <source>%1. The plan has changed since it was sent.</source>
+        <translation>%1. O plano mudou desde que foi enviado.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +8097,10 @@
     <message>
         <source>turns within %1 of the best</source>
         <translation>manobras: +%1 no máximo</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

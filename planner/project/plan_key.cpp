@@ -37,7 +37,7 @@ std::string fieldInputs(const FieldSource& field) {
         text += std::format("\nobstacle {} {} {} ", obstacle.name, obstacle.passable, obstacle.buffer.si());
         // Fields without overhangs keep the keys that they have in older batches.
         if (obstacle.overhang != Length{}) {
-            text += std::format("overhang {} ", obstacle.overhang.si());
+            text += std::format("{}{} ", "overhang ", obstacle.overhang.si());
         }
         add(text, obstacle.outline);
     }
