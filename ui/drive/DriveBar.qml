@@ -159,12 +159,14 @@ Rectangle {
         anchors { right: close.left; rightMargin: 4; verticalCenter: parent.verticalCenter }
         width: Math.max(250, Math.min(360, root.width * 0.42))
         visible: !root.narrow
-        spacing: 2
+        spacing: 1
 
         BodyText {
             objectName: "drive.state"
             width: parent.width
             text: root.drive.stateText
+            wrapMode: Text.WordWrap
+            maximumLineCount: 2
             elide: Text.ElideRight
             font.pixelSize: 12
         }

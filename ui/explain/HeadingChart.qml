@@ -179,7 +179,7 @@ Column {
 
             x: Math.max(70, Math.min(chart.width - width - 8, area.x + place * area.width - width / 2))
             y: 5
-            text: root.headings.bearingOf(root.headings.chosen)
+            text: root.headings.points.length > 0 ? root.headings.bearingOf(root.headings.chosen) : ""
             color: Theme.accent
             font.pixelSize: 12
             font.weight: Font.DemiBold
@@ -215,7 +215,8 @@ Column {
     Caption {
         objectName: "headings.description"
         width: parent.width
-        text: root.headings.describe(root.shown)
+        // Again when the figures, the language or the units are others.
+        text: root.headings.points.length > 0 ? root.headings.describe(root.shown) : ""
         wrapMode: Text.WordWrap
         lineHeight: 1.15
         // Two lines are kept for it: nothing below moves with the pointer.

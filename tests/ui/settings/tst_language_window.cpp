@@ -122,6 +122,9 @@ private slots:
         // An edge, so that the inspector has numbers, too.
         key(Qt::Key_E);
         QTRY_VERIFY(item(QStringLiteral("inspector"))->isVisible());
+        // What is worked out in the background has come, too.
+        QTRY_VERIFY(session_->planning()->reasons()->plan() == session_->shown()->plan());
+        QTRY_VERIFY(session_->drive()->isAvailable());
         const QString metric = QStringLiteral("m|km|ha|m²|km/h");
         const QString imperial = QStringLiteral("ft|mi|ac|ft²|mph");
         QTRY_COMPARE(textsIn(imperial), QStringList{});
