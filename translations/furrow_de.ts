@@ -465,7 +465,7 @@
     </message>
     <message>
         <source>Next finding</source>
-        <translation>Nächster Befund</translation>
+        <translation>Nächster Hinweis</translation>
     </message>
     <message>
         <source>problem check step through</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Previous finding</source>
-        <translation>Voriger Befund</translation>
+        <translation>Voriger Hinweis</translation>
     </message>
     <message>
         <source>problem check step back</source>
@@ -5896,7 +5896,7 @@
     </message>
     <message>
         <source>fishtail turn</source>
-        <translation>Fischschwanzwende</translation>
+        <translation>Schwalbenschwanz-Wendung</translation>
     </message>
     <message>
         <source>give a number that is not negative, or leave it out</source>

@@ -465,7 +465,7 @@
     </message>
     <message>
         <source>Next finding</source>
-        <translation>Constat suivant</translation>
+        <translation>Remarque suivante</translation>
     </message>
     <message>
         <source>problem check step through</source>
@@ -473,7 +473,7 @@
     </message>
     <message>
         <source>Previous finding</source>
-        <translation>Constat précédent</translation>
+        <translation>Remarque précédente</translation>
     </message>
     <message>
         <source>problem check step back</source>

@@ -5896,7 +5896,7 @@
     </message>
     <message>
         <source>fishtail turn</source>
-        <translation>visstaartbocht</translation>
+        <translation>vissenstaart</translation>
     </message>
     <message>
         <source>give a number that is not negative, or leave it out</source>

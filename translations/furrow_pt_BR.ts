@@ -5896,7 +5896,7 @@
     </message>
     <message>
         <source>fishtail turn</source>
-        <translation>manobra em rabo de peixe</translation>
+        <translation>manobra rabo de peixe</translation>
     </message>
     <message>
         <source>give a number that is not negative, or leave it out</source>

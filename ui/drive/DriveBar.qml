@@ -188,9 +188,7 @@ Rectangle {
         id: close
 
         objectName: "drive.hide"
-        anchors { right: parent.right; rightMargin: 6; verticalCenter: parent.verticalCenter }
-        width: 30
-        height: 30
+        anchors { right: parent.right; rightMargin: 2; verticalCenter: parent.verticalCenter }
         iconName: "close"
         hint: qsTr("Hide the drive-through")
         onClicked: root.hideRequested()

@@ -65,6 +65,12 @@ Column {
                     implicitWidth: label.implicitWidth + 12
                     implicitHeight: 22
                     focusPolicy: Qt.StrongFocus
+                    // A finger needs more than the text.
+                    containmentMask: Item {
+                        y: (tab.height - height) / 2
+                        width: tab.width
+                        height: Theme.controlHeight
+                    }
                     text: modelData.text
                     Accessible.name: qsTr("Time by %1").arg(modelData.text)
                     Accessible.checkable: true

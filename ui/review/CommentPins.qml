@@ -44,6 +44,13 @@ Item {
             width: 26
             height: 24
             focusPolicy: Qt.NoFocus
+            // A finger needs more than the pin.
+            containmentMask: Item {
+                x: (pin.width - width) / 2
+                y: (pin.height - height) / 2
+                width: Theme.controlHeight
+                height: Theme.controlHeight
+            }
             Accessible.name: qsTr("Comment %1: %2").arg(number).arg(said)
             onClicked: root.clicked(index)
 

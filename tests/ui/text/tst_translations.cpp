@@ -209,7 +209,9 @@ private slots:
         static const QRegularExpression literal{kLiteral};
         static const QRegularExpression sentence{QStringLiteral("[A-Za-z]{2,} [a-z]{2,}")};
         static const QRegularExpression around{QString::fromUtf8(
-            "(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$")};
+            "(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$|\\btr\\(\"[^\"]*\",\\s*$|\\btoString\\([^\"]*QStringLiteral\\($")};
+        // What a short text is about, for translators, stands behind it.
+        constexpr qsizetype kBefore = 80;
         QStringList wrong;
         for (const QString& file : filesIn(kSource + QStringLiteral("/ui"), {"*.qml"})) {
             const QString text = codeOf(file);
@@ -226,8 +228,8 @@ private slots:
             for (auto each = literal.globalMatch(text); each.hasNext();) {
                 const auto match = each.next();
                 const QString said = joined(match.captured(0));
-                const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 40),
-                                                std::min<qsizetype>(40, match.capturedStart()));
+                const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - kBefore),
+                                                std::min<qsizetype>(kBefore, match.capturedStart()));
                 if (sentence.match(said).hasMatch() && !around.match(before).hasMatch()) {
                     wrong << file.section(QLatin1Char('/'), -1) + QStringLiteral(": ") + said;
                 }
