@@ -209,7 +209,7 @@ private slots:
         static const QRegularExpression literal{kLiteral};
         static const QRegularExpression sentence{QStringLiteral("[A-Za-z]{2,} [a-z]{2,}")};
         static const QRegularExpression around{QString::fromUtf8(
-            "(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$|\\btr\\(\"[^\"]*\",\\s*$|\\btoString\\([^\"]*QStringLiteral\\($")};
+            "(?:\\btr|QT_TR_NOOP|translate|shown|qWarning|qFatal|QML_UNCREATABLE|fputs|printf|add|property|toLatin1|static_assert|contains|QLatin1String|\\.what =|\\.remedy =)\\s*[({]?\\s*$|\\b(?:tr|QT_TRANSLATE_NOOP)\\(\"[^\"]*\",\\s*$|\\btoString\\([^\"]*QStringLiteral\\($")};
         // What a short text is about, for translators, stands behind it.
         constexpr qsizetype kBefore = 80;
         QStringList wrong;
