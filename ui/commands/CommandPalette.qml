@@ -148,9 +148,9 @@ T.Popup {
         const all = words.length > 0 ? [...root.commands, ...root.entries] : [...root.commands];
         const about = one => (one.name + " " + one.group + " " + one.keywords).toLowerCase();
         const fits = all.filter(one => words.every(word => about(one).includes(word)));
-        // Those whose name begins so, and those that can be run, come first; then those whose name has it.
+        // Commands come before settings, what can be run before the rest; then those whose name begins so.
         const nameRank = name => words.length === 0 || name.startsWith(words[0]) ? 0 : words.every(word => name.includes(word)) ? 1 : 2;
-        const rank = one => ((one.enabled ?? true) ? 0 : 3) + nameRank(one.name.toLowerCase());
+        const rank = one => ((one.enabled ?? true) ? 0 : 6) + (one instanceof Command ? 0 : 3) + nameRank(one.name.toLowerCase());
         return fits.map((one, index) => [rank(one), index, one]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]);
     }
     function run(index: int): void {
