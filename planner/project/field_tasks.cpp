@@ -57,7 +57,7 @@ Result<const FieldPlan*> planOf(const Project& project, std::size_t index,
                                 std::optional<std::string_view> name) {
     const std::vector<FieldPlan>& plans = project.fields[index]->plans;
     if (!name) {
-        return index == project.currentField ? &project.plan() : &plans.front();
+        return &project.planOf(index);
     }
     for (const auto member : {&FieldPlan::name, &FieldPlan::id}) {
         const auto found = std::ranges::find(plans, *name, member);

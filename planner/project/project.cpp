@@ -46,6 +46,10 @@ const FieldPlan& Project::plan() const {
     return shown == nullptr ? standard : shown->plans[std::min(currentPlan, shown->plans.size() - 1)];
 }
 
+const FieldPlan& Project::planOf(std::size_t index) const {
+    return index == currentField ? plan() : fields[index]->plans.front();
+}
+
 std::string freeFieldId(const Project& project) {
     for (std::size_t number = project.fields.size() + 1;; ++number) {
         const std::string id = std::format("field-{}", number);

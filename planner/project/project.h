@@ -82,6 +82,8 @@ struct Project {
     const ProjectField* field() const;
     /// The current plan, or the standard one where there is no field.
     const FieldPlan& plan() const;
+    /// The plan that a field is known by: of the current field the current one, of others the first.
+    const FieldPlan& planOf(std::size_t field) const;
 
     friend bool operator==(const Project& a, const Project& b);
 };

@@ -54,6 +54,20 @@ std::string pointsText(const GeoRing& line) {
     return text;
 }
 
+/// A plan to go on from: what was said of the first one and ordered with it stays there.
+FieldPlan copyUnder(FieldPlan plan, std::string id, const std::string& name) {
+    plan.id = std::move(id);
+    plan.name = name;
+    plan.review = {};
+    plan.order = orderForAnotherPlan(plan.order);
+    return plan;
+}
+
+std::size_t indexOf(const ProjectField& field, const FieldPlan& plan) {
+    return static_cast<std::size_t>(
+        std::distance(field.plans.begin(), std::ranges::find(field.plans, plan.id, &FieldPlan::id)));
+}
+
 template <class Entry>
 void erase(std::vector<Entry>& list, std::size_t index) {
     if (index < list.size()) {
@@ -211,15 +225,43 @@ Project withWorkOrder(Project project, WorkOrder order) {
 }
 
 Project withPlanCopy(Project project, const std::string& name) {
-    FieldPlan copy = project.plan();
-    copy.id = freePlanId(project);
-    copy.name = name;
-    copy.review = {};
-    copy.order = orderForAnotherPlan(copy.order);
+    const FieldPlan copy = copyUnder(project.plan(), freePlanId(project), name);
     project = withField(std::move(project), [&copy](ProjectField& field) { field.plans.push_back(copy); });
     const std::size_t field = project.currentField;
     const std::size_t last = project.field() != nullptr ? project.field()->plans.size() - 1 : 0;
     return showing(std::move(project), field, last);
+}
+
+Project withPlansLike(Project project, std::span<const std::size_t> fields, const FieldPlan& like) {
+    const FieldPlan next = planForAnotherField(like);
+    const Project before = project;
+    for (const std::size_t index : fields) {
+        // The plan that is the example may hold places of its own field.
+        if (index == project.currentField && project.plan().id == like.id) {
+            continue;
+        }
+        ProjectField field = *before.fields[index];
+        FieldPlan& plan = field.plans[indexOf(field, before.planOf(index))];
+        plan.machine = next.machine;
+        plan.settings = next.settings;
+        project.fields[index] = std::make_shared<const ProjectField>(std::move(field));
+    }
+    return project;
+}
+
+Project withPlansAdded(Project project, std::span<const std::size_t> fields, const std::string& name,
+                       const std::string& season) {
+    for (const std::size_t index : fields) {
+        FieldPlan copy = copyUnder(project.planOf(index), freePlanId(project), name);
+        copy.season = season;
+        ProjectField field = *project.fields[index];
+        field.plans.insert(field.plans.begin(), std::move(copy));
+        project.fields[index] = std::make_shared<const ProjectField>(std::move(field));
+        if (index == project.currentField) {
+            project.currentPlan = 0;
+        }
+    }
+    return project;
 }
 
 Project withoutPlan(Project project) {

@@ -3,6 +3,7 @@
 #include "planner/editing/field_shape.h"
 #include "planner/project/project.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,13 @@ Project withPlanCopy(Project project, const std::string& name);
 Project withoutPlan(Project project);
 /// With other work order data in the current plan. Nothing to do without a field.
 Project withWorkOrder(Project project, WorkOrder order);
+/// With the machine and the settings of this plan in the plans that these fields are known by (planOf); what
+/// names places of one field stays behind.
+Project withPlansLike(Project project, std::span<const std::size_t> fields, const FieldPlan& like);
+/// With a copy of the plan that each of these fields is known by, in front of its others, under this name and
+/// for this season. In the current field it is current.
+Project withPlansAdded(Project project, std::span<const std::size_t> fields, const std::string& name,
+                       const std::string& season);
 Project withFieldName(Project project, const std::string& name);
 Project withPlanName(Project project, const std::string& name, const std::string& season);
 /// With this review of the current plan.
