@@ -479,6 +479,14 @@
         <source>problem check step back</source>
         <translation>Problem prüfen zurück</translation>
     </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Alle Felder des Betriebs</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>Liste Übersicht alle planen Summen</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -844,6 +852,122 @@
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
         <translation>Auch als Auftrag, für Terminals, die Linien nur in Aufträgen zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>FarmHeader</name>
+    <message>
+        <source>%1, sorted downwards</source>
+        <translation>%1, absteigend sortiert</translation>
+    </message>
+    <message>
+        <source>%1, sorted</source>
+        <translation>%1, sortiert</translation>
+    </message>
+</context>
+<context>
+    <name>FarmPanel</name>
+    <message>
+        <source>The farm</source>
+        <translation>Der Betrieb</translation>
+    </message>
+    <message>
+        <source>Find a field</source>
+        <translation>Feld suchen</translation>
+    </message>
+    <message>
+        <source>Find a field, season or machine</source>
+        <translation>Feld, Saison oder Maschine suchen</translation>
+    </message>
+    <message>
+        <source>Back to the field (Esc)</source>
+        <translation>Zurück zum Feld (Esc)</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Fields of the farm</source>
+        <translation>Felder des Betriebs</translation>
+    </message>
+    <message>
+        <source>No field has these words.</source>
+        <translation>Kein Feld enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>There is no field yet.</source>
+        <translation>Es gibt noch kein Feld.</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>Keine auswählen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alle auswählen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message numerus="yes">
+        <source>Plan %n field(s)</source>
+        <translation>
+            <numerusform>%n Feld planen</numerusform>
+            <numerusform>%n Felder planen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Plant …</translation>
+    </message>
+    <message>
+        <source>All are planned</source>
+        <translation>Alle sind geplant</translation>
+    </message>
+    <message>
+        <source>Machine and settings of this plan</source>
+        <translation>Maschine und Einstellungen dieses Plans</translation>
+    </message>
+    <message>
+        <source>Add a plan to each…</source>
+        <translation>Jedem einen Plan hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+</context>
+<context>
+    <name>FarmRow</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -1494,6 +1618,10 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+    <message>
+        <source>Add a plan to each field</source>
+        <translation>Jedem Feld einen Plan hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6195,13 @@
         <source>Pictures (%1)</source>
         <translation>Bilder (%1)</translation>
     </message>
+    <message numerus="yes">
+        <source>%n field(s) of the list</source>
+        <translation>
+            <numerusform>%n Feld der Liste</numerusform>
+            <numerusform>%n Felder der Liste</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ProblemCard</name>
@@ -7163,6 +7298,72 @@
     </message>
 </context>
 <context>
+    <name>furrow::FarmList</name>
+    <message numerus="yes">
+        <source>Plan %n field(s) alike</source>
+        <translation>
+            <numerusform>%n Feld gleich planen</numerusform>
+            <numerusform>%n Felder gleich planen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add a plan to %n field(s)</source>
+        <translation>
+            <numerusform>%n Feld einen Plan hinzufügen</numerusform>
+            <numerusform>%n Feldern einen Plan hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not planned yet</source>
+        <translation>Nicht geplant</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Plant …</translation>
+    </message>
+    <message>
+        <source>Drivable</source>
+        <translation>Fahrbar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Kein Plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag</numerusform>
+            <numerusform>%n Schläge</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n field(s)</source>
+        <translation>
+            <numerusform>%1 von %n Feld</numerusform>
+            <numerusform>%1 von %n Feldern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 drivable</source>
+        <translation>%1 fahrbar</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FarmModel</name>
     <message>
         <source>%1 · %2</source>
@@ -7187,6 +7388,38 @@
     <message>
         <source>Remove the plan</source>
         <translation>Plan entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmPlans</name>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) planned</source>
+        <translation>
+            <numerusform>%n Feld geplant</numerusform>
+            <numerusform>%n Felder geplant</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with problems</source>
+        <translation>
+            <numerusform>%n mit Problemen</numerusform>
+            <numerusform>%n mit Problemen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a plan</source>
+        <translation>
+            <numerusform>%n ohne Plan</numerusform>
+            <numerusform>%n ohne Plan</numerusform>
+        </translation>
     </message>
 </context>
 <context>

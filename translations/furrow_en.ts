@@ -52,6 +52,16 @@
     </message>
 </context>
 <context>
+    <name>FarmPanel</name>
+    <message numerus="yes">
+        <source>Plan %n field(s)</source>
+        <translation>
+            <numerusform>Plan %n field</numerusform>
+            <numerusform>Plan %n fields</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FieldChooser</name>
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
@@ -78,6 +88,13 @@
         <translation>
             <numerusform>%n problem in this plan: it cannot be driven as drawn. The pages say so too.</numerusform>
             <numerusform>%n problems in this plan: it cannot be driven as drawn. The pages say so too.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) of the list</source>
+        <translation>
+            <numerusform>%n field of the list</numerusform>
+            <numerusform>%n fields of the list</numerusform>
         </translation>
     </message>
 </context>
@@ -149,6 +166,68 @@
         <translation>
             <numerusform>%n file written to %1</numerusform>
             <numerusform>%n files written to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmList</name>
+    <message numerus="yes">
+        <source>Plan %n field(s) alike</source>
+        <translation>
+            <numerusform>Plan %n field alike</numerusform>
+            <numerusform>Plan %n fields alike</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add a plan to %n field(s)</source>
+        <translation>
+            <numerusform>Add a plan to %n field</numerusform>
+            <numerusform>Add a plan to %n fields</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n field</numerusform>
+            <numerusform>%n fields</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n field(s)</source>
+        <translation>
+            <numerusform>%1 of %n field</numerusform>
+            <numerusform>%1 of %n fields</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmPlans</name>
+    <message numerus="yes">
+        <source>%n field(s) planned</source>
+        <translation>
+            <numerusform>%n field planned</numerusform>
+            <numerusform>%n fields planned</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with problems</source>
+        <translation>
+            <numerusform>%n with problems</numerusform>
+            <numerusform>%n with problems</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a plan</source>
+        <translation>
+            <numerusform>%n without a plan</numerusform>
+            <numerusform>%n without a plan</numerusform>
         </translation>
     </message>
 </context>

@@ -479,6 +479,14 @@
         <source>problem check step back</source>
         <translation>problema comprobar atrás</translation>
     </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Todas las parcelas de la explotación</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>lista resumen planificar todas totales</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -844,6 +852,122 @@
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
         <translation>También en una tarea, si el terminal lo exige</translation>
+    </message>
+</context>
+<context>
+    <name>FarmHeader</name>
+    <message>
+        <source>%1, sorted downwards</source>
+        <translation>%1, orden descendente</translation>
+    </message>
+    <message>
+        <source>%1, sorted</source>
+        <translation>%1, ordenado</translation>
+    </message>
+</context>
+<context>
+    <name>FarmPanel</name>
+    <message>
+        <source>The farm</source>
+        <translation>La explotación</translation>
+    </message>
+    <message>
+        <source>Find a field</source>
+        <translation>Buscar una parcela</translation>
+    </message>
+    <message>
+        <source>Find a field, season or machine</source>
+        <translation>Buscar parcela, campaña o máquina</translation>
+    </message>
+    <message>
+        <source>Back to the field (Esc)</source>
+        <translation>Volver a la parcela (Esc)</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Fields of the farm</source>
+        <translation>Parcelas de la explotación</translation>
+    </message>
+    <message>
+        <source>No field has these words.</source>
+        <translation>Ninguna parcela tiene estas palabras.</translation>
+    </message>
+    <message>
+        <source>There is no field yet.</source>
+        <translation>Todavía no hay ninguna parcela.</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>No seleccionar ninguna</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Seleccionar todas</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message numerus="yes">
+        <source>Plan %n field(s)</source>
+        <translation>
+            <numerusform>Planificar %n parcela</numerusform>
+            <numerusform>Planificar %n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planificando …</translation>
+    </message>
+    <message>
+        <source>All are planned</source>
+        <translation>Todas planificadas</translation>
+    </message>
+    <message>
+        <source>Machine and settings of this plan</source>
+        <translation>Máquina y ajustes de este plan</translation>
+    </message>
+    <message>
+        <source>Add a plan to each…</source>
+        <translation>Añadir un plan a cada una…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+</context>
+<context>
+    <name>FarmRow</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -1494,6 +1618,10 @@
     <message>
         <source>OK</source>
         <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Add a plan to each field</source>
+        <translation>Añadir un plan a cada parcela</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6195,13 @@
         <source>Pictures (%1)</source>
         <translation>Imágenes (%1)</translation>
     </message>
+    <message numerus="yes">
+        <source>%n field(s) of the list</source>
+        <translation>
+            <numerusform>%n parcela de la lista</numerusform>
+            <numerusform>%n parcelas de la lista</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ProblemCard</name>
@@ -7163,6 +7298,72 @@
     </message>
 </context>
 <context>
+    <name>furrow::FarmList</name>
+    <message numerus="yes">
+        <source>Plan %n field(s) alike</source>
+        <translation>
+            <numerusform>Planificar igual %n parcela</numerusform>
+            <numerusform>Planificar igual %n parcelas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add a plan to %n field(s)</source>
+        <translation>
+            <numerusform>Añadir un plan a %n parcela</numerusform>
+            <numerusform>Añadir un plan a %n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not planned yet</source>
+        <translation>Sin planificar</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Desfasado</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>Espera</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planificando …</translation>
+    </message>
+    <message>
+        <source>Drivable</source>
+        <translation>Transitable</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Sin plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcela</numerusform>
+            <numerusform>%n parcelas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n field(s)</source>
+        <translation>
+            <numerusform>%1 de %n parcela</numerusform>
+            <numerusform>%1 de %n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 drivable</source>
+        <translation>%1 transitables</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FarmModel</name>
     <message>
         <source>%1 · %2</source>
@@ -7187,6 +7388,38 @@
     <message>
         <source>Remove the plan</source>
         <translation>Quitar el plan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmPlans</name>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) planned</source>
+        <translation>
+            <numerusform>%n parcela planificada</numerusform>
+            <numerusform>%n parcelas planificadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with problems</source>
+        <translation>
+            <numerusform>%n con problemas</numerusform>
+            <numerusform>%n con problemas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a plan</source>
+        <translation>
+            <numerusform>%n sin plan</numerusform>
+            <numerusform>%n sin plan</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -479,6 +479,14 @@
         <source>problem check step back</source>
         <translation>problème contrôle retour</translation>
     </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Tous les champs de l’exploitation</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>liste aperçu planifier tous totaux</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -844,6 +852,122 @@
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
         <translation>Aussi dans une tâche, si la console l’exige</translation>
+    </message>
+</context>
+<context>
+    <name>FarmHeader</name>
+    <message>
+        <source>%1, sorted downwards</source>
+        <translation>%1, tri décroissant</translation>
+    </message>
+    <message>
+        <source>%1, sorted</source>
+        <translation>%1, trié</translation>
+    </message>
+</context>
+<context>
+    <name>FarmPanel</name>
+    <message>
+        <source>The farm</source>
+        <translation>L’exploitation</translation>
+    </message>
+    <message>
+        <source>Find a field</source>
+        <translation>Chercher un champ</translation>
+    </message>
+    <message>
+        <source>Find a field, season or machine</source>
+        <translation>Chercher un champ, une saison, une machine</translation>
+    </message>
+    <message>
+        <source>Back to the field (Esc)</source>
+        <translation>Retour au champ (Échap)</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Champ</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Fields of the farm</source>
+        <translation>Champs de l’exploitation</translation>
+    </message>
+    <message>
+        <source>No field has these words.</source>
+        <translation>Aucun champ ne contient ces mots.</translation>
+    </message>
+    <message>
+        <source>There is no field yet.</source>
+        <translation>Il n’y a pas encore de champ.</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>Ne rien sélectionner</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message numerus="yes">
+        <source>Plan %n field(s)</source>
+        <translation>
+            <numerusform>Planifier %n champ</numerusform>
+            <numerusform>Planifier %n champs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planification …</translation>
+    </message>
+    <message>
+        <source>All are planned</source>
+        <translation>Tous sont planifiés</translation>
+    </message>
+    <message>
+        <source>Machine and settings of this plan</source>
+        <translation>Machine et réglages de ce plan</translation>
+    </message>
+    <message>
+        <source>Add a plan to each…</source>
+        <translation>Ajouter un plan à chacun…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+</context>
+<context>
+    <name>FarmRow</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -1494,6 +1618,10 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+    <message>
+        <source>Add a plan to each field</source>
+        <translation>Ajouter un plan à chaque champ</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6195,13 @@
         <source>Pictures (%1)</source>
         <translation>Images (%1)</translation>
     </message>
+    <message numerus="yes">
+        <source>%n field(s) of the list</source>
+        <translation>
+            <numerusform>%n champ de la liste</numerusform>
+            <numerusform>%n champs de la liste</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ProblemCard</name>
@@ -7163,6 +7298,72 @@
     </message>
 </context>
 <context>
+    <name>furrow::FarmList</name>
+    <message numerus="yes">
+        <source>Plan %n field(s) alike</source>
+        <translation>
+            <numerusform>Planifier %n champ de même</numerusform>
+            <numerusform>Planifier %n champs de même</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add a plan to %n field(s)</source>
+        <translation>
+            <numerusform>Ajouter un plan à %n champ</numerusform>
+            <numerusform>Ajouter un plan à %n champs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not planned yet</source>
+        <translation>Pas planifié</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Périmé</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>En attente</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planification …</translation>
+    </message>
+    <message>
+        <source>Drivable</source>
+        <translation>Praticable</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problème</numerusform>
+            <numerusform>%n problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Pas de plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcelle</numerusform>
+            <numerusform>%n parcelles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n field(s)</source>
+        <translation>
+            <numerusform>%1 champ sur %n</numerusform>
+            <numerusform>%1 champs sur %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 drivable</source>
+        <translation>%1 praticables</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FarmModel</name>
     <message>
         <source>%1 · %2</source>
@@ -7187,6 +7388,38 @@
     <message>
         <source>Remove the plan</source>
         <translation>Retirer le plan</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmPlans</name>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) planned</source>
+        <translation>
+            <numerusform>%n champ planifié</numerusform>
+            <numerusform>%n champs planifiés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with problems</source>
+        <translation>
+            <numerusform>%n avec problèmes</numerusform>
+            <numerusform>%n avec problèmes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a plan</source>
+        <translation>
+            <numerusform>%n sans plan</numerusform>
+            <numerusform>%n sans plan</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -479,6 +479,14 @@
         <source>problem check step back</source>
         <translation>probleem controle terug</translation>
     </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Alle percelen van het bedrijf</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>lijst overzicht alles plannen totalen</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -844,6 +852,122 @@
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
         <translation>Ook in een taak, voor terminals die lijnen alleen in taken tonen</translation>
+    </message>
+</context>
+<context>
+    <name>FarmHeader</name>
+    <message>
+        <source>%1, sorted downwards</source>
+        <translation>%1, aflopend gesorteerd</translation>
+    </message>
+    <message>
+        <source>%1, sorted</source>
+        <translation>%1, gesorteerd</translation>
+    </message>
+</context>
+<context>
+    <name>FarmPanel</name>
+    <message>
+        <source>The farm</source>
+        <translation>Het bedrijf</translation>
+    </message>
+    <message>
+        <source>Find a field</source>
+        <translation>Perceel zoeken</translation>
+    </message>
+    <message>
+        <source>Find a field, season or machine</source>
+        <translation>Perceel, seizoen of machine zoeken</translation>
+    </message>
+    <message>
+        <source>Back to the field (Esc)</source>
+        <translation>Terug naar het perceel (Esc)</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Perceel</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Oppervlakte</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Route</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Fields of the farm</source>
+        <translation>Percelen van het bedrijf</translation>
+    </message>
+    <message>
+        <source>No field has these words.</source>
+        <translation>Geen perceel bevat deze woorden.</translation>
+    </message>
+    <message>
+        <source>There is no field yet.</source>
+        <translation>Er is nog geen perceel.</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>Niets selecteren</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles selecteren</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message numerus="yes">
+        <source>Plan %n field(s)</source>
+        <translation>
+            <numerusform>%n perceel plannen</numerusform>
+            <numerusform>%n percelen plannen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Plant …</translation>
+    </message>
+    <message>
+        <source>All are planned</source>
+        <translation>Alles is gepland</translation>
+    </message>
+    <message>
+        <source>Machine and settings of this plan</source>
+        <translation>Machine en instellingen van dit plan</translation>
+    </message>
+    <message>
+        <source>Add a plan to each…</source>
+        <translation>Aan elk een plan toevoegen…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Afdrukken…</translation>
+    </message>
+</context>
+<context>
+    <name>FarmRow</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -1494,6 +1618,10 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+    <message>
+        <source>Add a plan to each field</source>
+        <translation>Aan elk perceel een plan toevoegen</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6195,13 @@
         <source>Pictures (%1)</source>
         <translation>Afbeeldingen (%1)</translation>
     </message>
+    <message numerus="yes">
+        <source>%n field(s) of the list</source>
+        <translation>
+            <numerusform>%n perceel van de lijst</numerusform>
+            <numerusform>%n percelen van de lijst</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ProblemCard</name>
@@ -7163,6 +7298,72 @@
     </message>
 </context>
 <context>
+    <name>furrow::FarmList</name>
+    <message numerus="yes">
+        <source>Plan %n field(s) alike</source>
+        <translation>
+            <numerusform>%n perceel hetzelfde plannen</numerusform>
+            <numerusform>%n percelen hetzelfde plannen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add a plan to %n field(s)</source>
+        <translation>
+            <numerusform>Aan %n perceel een plan toevoegen</numerusform>
+            <numerusform>Aan %n percelen een plan toevoegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not planned yet</source>
+        <translation>Niet gepland</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Verouderd</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>Wacht</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Plant …</translation>
+    </message>
+    <message>
+        <source>Drivable</source>
+        <translation>Te rijden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n probleem</numerusform>
+            <numerusform>%n problemen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Geen plan</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n perceel</numerusform>
+            <numerusform>%n percelen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n field(s)</source>
+        <translation>
+            <numerusform>%1 van %n perceel</numerusform>
+            <numerusform>%1 van %n percelen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 drivable</source>
+        <translation>%1 te rijden</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FarmModel</name>
     <message>
         <source>%1 · %2</source>
@@ -7187,6 +7388,38 @@
     <message>
         <source>Remove the plan</source>
         <translation>Plan verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmPlans</name>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 van %2: %3</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestopt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) planned</source>
+        <translation>
+            <numerusform>%n perceel gepland</numerusform>
+            <numerusform>%n percelen gepland</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with problems</source>
+        <translation>
+            <numerusform>%n met problemen</numerusform>
+            <numerusform>%n met problemen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a plan</source>
+        <translation>
+            <numerusform>%n zonder plan</numerusform>
+            <numerusform>%n zonder plan</numerusform>
+        </translation>
     </message>
 </context>
 <context>

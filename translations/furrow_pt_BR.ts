@@ -479,6 +479,14 @@
         <source>problem check step back</source>
         <translation>problema verificar voltar</translation>
     </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Todos os talhões da fazenda</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>lista resumo planejar todos totais</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -844,6 +852,122 @@
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
         <translation>Também em uma tarefa, se o terminal o exigir</translation>
+    </message>
+</context>
+<context>
+    <name>FarmHeader</name>
+    <message>
+        <source>%1, sorted downwards</source>
+        <translation>%1, ordem decrescente</translation>
+    </message>
+    <message>
+        <source>%1, sorted</source>
+        <translation>%1, ordenado</translation>
+    </message>
+</context>
+<context>
+    <name>FarmPanel</name>
+    <message>
+        <source>The farm</source>
+        <translation>A fazenda</translation>
+    </message>
+    <message>
+        <source>Find a field</source>
+        <translation>Buscar um talhão</translation>
+    </message>
+    <message>
+        <source>Find a field, season or machine</source>
+        <translation>Buscar talhão, safra ou máquina</translation>
+    </message>
+    <message>
+        <source>Back to the field (Esc)</source>
+        <translation>Voltar ao talhão (Esc)</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Talhão</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Situação</translation>
+    </message>
+    <message>
+        <source>Fields of the farm</source>
+        <translation>Talhões da fazenda</translation>
+    </message>
+    <message>
+        <source>No field has these words.</source>
+        <translation>Nenhum talhão tem estas palavras.</translation>
+    </message>
+    <message>
+        <source>There is no field yet.</source>
+        <translation>Ainda não há talhão.</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>Não selecionar nenhum</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Selecionar todos</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message numerus="yes">
+        <source>Plan %n field(s)</source>
+        <translation>
+            <numerusform>Planejar %n talhão</numerusform>
+            <numerusform>Planejar %n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planejando …</translation>
+    </message>
+    <message>
+        <source>All are planned</source>
+        <translation>Todos planejados</translation>
+    </message>
+    <message>
+        <source>Machine and settings of this plan</source>
+        <translation>Máquina e ajustes deste plano</translation>
+    </message>
+    <message>
+        <source>Add a plan to each…</source>
+        <translation>Adicionar um plano a cada um…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+</context>
+<context>
+    <name>FarmRow</name>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
@@ -1494,6 +1618,10 @@
     <message>
         <source>OK</source>
         <translation>OK</translation>
+    </message>
+    <message>
+        <source>Add a plan to each field</source>
+        <translation>Adicionar um plano a cada talhão</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6195,13 @@
         <source>Pictures (%1)</source>
         <translation>Imagens (%1)</translation>
     </message>
+    <message numerus="yes">
+        <source>%n field(s) of the list</source>
+        <translation>
+            <numerusform>%n talhão da lista</numerusform>
+            <numerusform>%n talhões da lista</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ProblemCard</name>
@@ -7163,6 +7298,72 @@
     </message>
 </context>
 <context>
+    <name>furrow::FarmList</name>
+    <message numerus="yes">
+        <source>Plan %n field(s) alike</source>
+        <translation>
+            <numerusform>Planejar %n talhão do mesmo modo</numerusform>
+            <numerusform>Planejar %n talhões do mesmo modo</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Add a plan to %n field(s)</source>
+        <translation>
+            <numerusform>Adicionar um plano a %n talhão</numerusform>
+            <numerusform>Adicionar um plano a %n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not planned yet</source>
+        <translation>Não planejado</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Desatualizado</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>Na fila</translation>
+    </message>
+    <message>
+        <source>Planning …</source>
+        <translation>Planejando …</translation>
+    </message>
+    <message>
+        <source>Drivable</source>
+        <translation>Percorrível</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No plan</source>
+        <translation>Sem plano</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n talhão</numerusform>
+            <numerusform>%n talhões</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n field(s)</source>
+        <translation>
+            <numerusform>%1 de %n talhão</numerusform>
+            <numerusform>%1 de %n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 drivable</source>
+        <translation>%1 percorríveis</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FarmModel</name>
     <message>
         <source>%1 · %2</source>
@@ -7187,6 +7388,38 @@
     <message>
         <source>Remove the plan</source>
         <translation>Remover o plano</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FarmPlans</name>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Parado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) planned</source>
+        <translation>
+            <numerusform>%n talhão planejado</numerusform>
+            <numerusform>%n talhões planejados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with problems</source>
+        <translation>
+            <numerusform>%n com problemas</numerusform>
+            <numerusform>%n com problemas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a plan</source>
+        <translation>
+            <numerusform>%n sem plano</numerusform>
+            <numerusform>%n sem plano</numerusform>
+        </translation>
     </message>
 </context>
 <context>

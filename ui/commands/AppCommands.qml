@@ -36,6 +36,7 @@ QtObject {
     signal takeInRequested()
     signal driveBarRequested(on: bool)
     signal driveRequested(segment: int)
+    signal farmRequested()
     signal renameFieldRequested()
     signal addPlanRequested()
     signal renamePlanRequested()
@@ -284,6 +285,15 @@ QtObject {
             shortcut: "Ctrl+PgDown"
             enabled: root.farm.fields.length > 1
             onTriggered: root.farm.currentField = (root.farm.currentField + 1) % root.farm.fields.length
+        },
+        Command {
+            objectName: "command.farm"
+            group: root.fieldGroup
+            text: qsTr("All fields of the farm")
+            shortcut: "Ctrl+Shift+F"
+            keywords: qsTr("list overview plan all batch totals")
+            enabled: root.farm.hasField
+            onTriggered: root.farmRequested()
         },
         Command {
             objectName: "command.addPlan"

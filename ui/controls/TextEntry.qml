@@ -36,6 +36,17 @@ T.TextField {
         border.color: root.wrong ? Theme.failure : root.activeFocus ? Theme.accent : Theme.line
     }
 
+    BodyText {
+        x: root.leftPadding
+        width: parent.width - root.leftPadding - root.rightPadding
+        anchors.verticalCenter: parent.verticalCenter
+        visible: root.text.length === 0 && root.preeditText.length === 0
+        text: root.placeholderText
+        color: Theme.muted
+        elide: Text.ElideRight
+        Accessible.ignored: true
+    }
+
     onValueChanged: root.text = root.value
     onActiveFocusChanged: {
         if (activeFocus)

@@ -96,6 +96,7 @@ void Document::begin(const History& history) {
     }
     stack_.setIndex(static_cast<int>(history.done));
     beginning_ = false;
+    emit begun();
     emit projectChanged();
     emit historyChanged();
 }

@@ -61,6 +61,8 @@ public:
     bool revert();
 
 signals:
+    /// Another project took the place of the one before.
+    void begun();
     /// What was dragged is done.
     void dragEnded();
     /// The project is another one than before.

@@ -117,8 +117,8 @@ T.Popup {
                             objectName: "print.scope"
                             width: parent.width
                             name: qsTr("Pages of")
-                            model: root.printing.fieldCount > 1 ? [qsTr("This field"), qsTr("The whole farm (%1)").arg(root.printing.fieldCount)] : [qsTr("This field")]
-                            chosen: root.printing.wholeFarm && root.printing.fieldCount > 1 ? 1 : 0
+                            model: root.printing.chosen.length > 0 ? [qsTr("This field"), qsTr("%n field(s) of the list", "", root.printing.fieldCount)] : root.printing.fieldCount > 1 ? [qsTr("This field"), qsTr("The whole farm (%1)").arg(root.printing.fieldCount)] : [qsTr("This field")]
+                            chosen: root.printing.wholeFarm && (root.printing.fieldCount > 1 || root.printing.chosen.length > 0) ? 1 : 0
                             onActivated: index => root.printing.wholeFarm = index === 1
                         }
                     }

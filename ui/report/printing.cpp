@@ -56,10 +56,6 @@ Result<std::shared_ptr<const Plan>> plannedFor(const Task& task, const JobContex
         .and_then([&job](const auto& plan) { return withAdvice(plan, job.part(0.9, 1.0)); });
 }
 
-const FieldPlan& planOf(const Project& project, std::size_t field) {
-    return field == project.currentField ? project.plan() : project.fields[field]->plans.front();
-}
-
 QString withoutUnsafe(QString name) {
     static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
     return name.replace(unsafe, QStringLiteral("_")).simplified();
@@ -161,6 +157,32 @@ void Printing::setWholeFarm(bool wholeFarm) {
     update();
 }
 
+void Printing::setChosen(const QStringList& chosen) {
+    if (chosen == chosen_) {
+        return;
+    }
+    chosen_ = chosen;
+    setWholeFarm(!chosen.isEmpty());
+    emit planChanged();
+    update();
+}
+
+bool Printing::isPrinted(std::size_t index) const {
+    const Project& project = *document_.project();
+    if (!wholeFarm_) {
+        return index == project.currentField;
+    }
+    return chosen_.isEmpty() || chosen_.contains(fromStd(project.fields[index]->id));
+}
+
+int Printing::fieldCount() const {
+    const auto& fields = document_.project()->fields;
+    return static_cast<int>(chosen_.isEmpty() ? fields.size()
+                                              : std::ranges::count_if(fields, [this](const auto& field) {
+                                                    return chosen_.contains(fromStd(field->id));
+                                                }));
+}
+
 double Printing::pageRatio() const {
     const QSizeF size = paperMm(paper_);
     return size.height() / size.width();
@@ -191,8 +213,8 @@ void Printing::update() {
     }
     std::vector<Task> missing;
     for (std::size_t i = 0; i < project.fields.size(); ++i) {
-        const FieldPlan& plan = planOf(project, i);
-        if ((wholeFarm_ || i == project.currentField) && madeOf(*project.fields[i], plan) == nullptr) {
+        const FieldPlan& plan = project.planOf(i);
+        if (isPrinted(i) && madeOf(*project.fields[i], plan) == nullptr) {
             missing.push_back({.source = project.fields[i]->source,
                                .machine = plan.machine,
                                .settings = plan.settings,
@@ -254,10 +276,10 @@ void Printing::layPages() {
                  .printed = QDateTime::currentDateTime(),
                  .wholeFarm = wholeFarm_};
     for (std::size_t i = 0; i < project.fields.size(); ++i) {
-        if (!wholeFarm_ && i != project.currentField) {
+        if (!isPrinted(i)) {
             continue;
         }
-        const FieldPlan& plan = planOf(project, i);
+        const FieldPlan& plan = project.planOf(i);
         const Made* const made = madeOf(*project.fields[i], plan);
         if (made == nullptr) {
             return;  // the project is another one by now: what is made for it follows

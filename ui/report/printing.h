@@ -35,6 +35,9 @@ class Printing : public QObject {
     /// 0 for A4, 1 for Letter; remembered.
     Q_PROPERTY(int paper READ paper WRITE setPaper NOTIFY optionsChanged FINAL)
     Q_PROPERTY(bool wholeFarm READ isWholeFarm WRITE setWholeFarm NOTIFY optionsChanged FINAL)
+    /// Ids of the fields that "the whole farm" stands for; empty for all. Set anew each time it is opened.
+    Q_PROPERTY(QStringList chosen READ chosen WRITE setChosen NOTIFY planChanged FINAL)
+    /// Of those.
     Q_PROPERTY(int fieldCount READ fieldCount NOTIFY planChanged FINAL)
     Q_PROPERTY(QStringList printers READ printers NOTIFY printersChanged FINAL)
     Q_PROPERTY(int defaultPrinter READ defaultPrinter NOTIFY printersChanged FINAL)
@@ -74,7 +77,9 @@ public:
     void setPaper(int paper);
     bool isWholeFarm() const { return wholeFarm_; }
     void setWholeFarm(bool wholeFarm);
-    int fieldCount() const { return static_cast<int>(document_.project()->fields.size()); }
+    QStringList chosen() const { return chosen_; }
+    void setChosen(const QStringList& chosen);
+    int fieldCount() const;
     QStringList printers() const { return printers_; }
     int defaultPrinter() const { return defaultPrinter_; }
     int pageCount() const { return pages_ ? pages_->count() : 0; }
@@ -114,6 +119,8 @@ private:
         QString hash;
     };
 
+    /// It is among those that are printed.
+    bool isPrinted(std::size_t field) const;
     const Made* madeOf(const ProjectField& field, const FieldPlan& plan) const;
     void lookForPrinters();
     /// Makes the sheets that are missing, then the pages.
@@ -133,6 +140,7 @@ private:
     bool open_ = false;
     PaperSize paper_ = PaperSize::A4;
     bool wholeFarm_ = false;
+    QStringList chosen_;
     QStringList printers_;
     int defaultPrinter_ = 0;
     /// Of plans that were printed before; those of fields that changed go with the next ones.

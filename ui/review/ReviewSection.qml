@@ -94,7 +94,6 @@ Column {
             width: parent.width
             name: qsTr("Comment")
             placeholderText: qsTr("What should be seen to?")
-            placeholderTextColor: Theme.muted
             onAccepted: root.finish()
         }
         TextEntry {
@@ -102,7 +101,6 @@ Column {
             width: parent.width
             name: qsTr("Your name")
             placeholderText: qsTr("Your name")
-            placeholderTextColor: Theme.muted
             value: root.review.author
             onCommitted: entered => root.review.author = entered
         }

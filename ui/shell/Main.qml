@@ -8,6 +8,7 @@ import Furrow.Controls
 import Furrow.Drive
 import Furrow.Edit
 import Furrow.Export
+import Furrow.Farm
 import Furrow.Layers
 import Furrow.Plan
 import Furrow.Project
@@ -23,7 +24,10 @@ ApplicationWindow {
     required property Session session
     readonly property bool roomForPanel: width >= 1200
     property bool panelWanted: true
-    readonly property bool panelOpen: session.shown.hasPlan && (roomForPanel || panelWanted)
+    /// All fields of the farm are in view in place of the steps and results of one.
+    property bool farmWanted: false
+    readonly property bool farmOpen: farmWanted && session.farm.hasField
+    readonly property bool panelOpen: !farmOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
@@ -128,7 +132,10 @@ ApplicationWindow {
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
         onExportRequested: exportDialog.open()
-        onPrintRequested: printDialog.open()
+        onPrintRequested: {
+            root.session.printing.chosen = [];
+            printDialog.open();
+        }
         onBestPlanRequested: bestPlanDialog.open()
         onFindingRequested: by => root.stepFinding(by)
         onCommentRequested: atPlace => root.comment(atPlace)
@@ -136,6 +143,7 @@ ApplicationWindow {
         onTakeInRequested: reviewDialogs.takeIn()
         onDriveBarRequested: on => root.driveWanted = on
         onDriveRequested: segment => root.driveFrom(segment)
+        onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
@@ -223,14 +231,34 @@ ApplicationWindow {
         anchors { left: parent.left; right: parent.right; top: parent.top }
         session: root.session
         commands: appCommands
-        panelOffered: !root.roomForPanel && root.session.shown.hasPlan
+        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen
+        farmOpen: root.farmOpen
         panelOpen: root.panelOpen
+    }
+    FarmPanel {
+        id: farmPanel
+
+        objectName: "farmPanel"
+        anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
+        // At the least a strip of the map stays.
+        width: Math.min(820, Math.max(540, root.width - 520))
+        visible: root.farmOpen
+        fields: root.session.farmList
+        plans: root.session.farmPlans
+        onCloseRequested: root.closeFarm()
+        onFieldOpened: root.closeFarm()
+        onAddPlansRequested: root.askName(qsTr("Add a plan to each field"), "", "", true, (name, season) => root.session.farmList.addPlans(name, season))
+        onPrintRequested: {
+            root.session.printing.chosen = root.session.farmList.chosenIds();
+            printDialog.open();
+        }
     }
     StepsPanel {
         id: steps
 
         anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
         width: 348
+        visible: !root.farmOpen
         planning: root.session.planning
         opener: root.session.opener
         onOpenRequested: dialogs.open()
@@ -243,7 +271,7 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: steps.right; right: results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         document: root.session.document
         shown: root.session.shown
@@ -287,6 +315,18 @@ ApplicationWindow {
                 selectedFinding: root.currentFinding
             })
         overlays: [
+            FarmNames {
+                anchors.fill: parent
+                visible: root.session.farmList.count > 1 || root.farmOpen
+                fields: root.session.farmList
+                camera: page.camera
+                choosing: root.farmOpen
+                onPicked: (row, how) => {
+                    root.session.farmList.pick(row, how);
+                    farmPanel.show(row);
+                }
+                onOpened: row => farmPanel.open(row)
+            },
             DriveLayer {
                 objectName: "driveLayer"
                 anchors.fill: parent
@@ -409,7 +449,7 @@ ApplicationWindow {
         id: driveBar
 
         anchors { left: steps.right; right: results.left; bottom: parent.bottom }
-        visible: root.driveWanted && root.session.shown.hasPlan && !page.editor.drawing
+        visible: root.driveWanted && !root.farmOpen && root.session.shown.hasPlan && !page.editor.drawing
         slim: root.height < 700
         drive: root.session.drive
         onHideRequested: root.driveWanted = false
@@ -525,6 +565,16 @@ ApplicationWindow {
         }
     }
 
+    function showFarm(): void {
+        root.farmWanted = true;
+        farmPanel.begin();
+        page.camera.fit(root.session.farmList.bounds(), 84, 72, 48, 72, true);
+    }
+    function closeFarm(): void {
+        root.farmWanted = false;
+        page.fitField(true);
+        page.forceActiveFocus();
+    }
     function goToFinding(index: int): void {
         root.currentFinding = index;
         page.camera.centreOn(root.session.findings.placeOf(index), 17, true);

@@ -12,6 +12,7 @@ Rectangle {
     required property AppCommands commands
     property bool panelOffered: false
     property bool panelOpen: true
+    property bool farmOpen: false
     readonly property alias exportButton: exportButton
 
     objectName: "topBar"
@@ -33,8 +34,17 @@ Rectangle {
             font.pixelSize: 17
             font.weight: Font.Bold
         }
+        ToolIconButton {
+            objectName: "farmButton"
+            Layout.leftMargin: 8
+            visible: root.session.farm.hasField
+            iconName: "farm"
+            hint: root.commands.named("farm").text
+            hintBelow: true
+            checked: root.farmOpen
+            onClicked: root.commands.named("farm").trigger()
+        }
         BodyText {
-            Layout.leftMargin: 10
             Layout.maximumWidth: root.width * 0.16
             objectName: "projectName"
             visible: root.session.farm.hasField

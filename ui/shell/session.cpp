@@ -19,6 +19,7 @@ Session::Session(QObject* parent) : QObject{parent} {
 void Session::keepIn(const QString& folder) {
     const QDir place{folder};
     files_.keepIn(place.filePath(QStringLiteral("history")));
+    farmPlans_.keepIn(place.filePath(QStringLiteral("plans.json")));
     recent_.keepIn(place.filePath(QStringLiteral("recent.json")));
 }
 
@@ -39,6 +40,9 @@ void Session::showResults() {
 
 void Session::offerExport() {
     const PlanState state = planning_.state();
+    if (isFinished(state)) {
+        farmPlans_.keep(shown_.plan());
+    }
     review_.setPlan(isFinished(state) ? shown_.plan() : nullptr);
     const PlanTitle title =
         isFinished(state)

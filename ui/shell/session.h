@@ -3,6 +3,8 @@
 #include "ui/best/best_search.h"
 #include "ui/drive/drive_through.h"
 #include "ui/export/export_model.h"
+#include "ui/farm/farm_list.h"
+#include "ui/farm/farm_plans.h"
 #include "ui/layers/imagery_model.h"
 #include "ui/map/shown_plan.h"
 #include "ui/plan/planning.h"
@@ -32,6 +34,8 @@ class Session : public QObject {
     Q_PROPERTY(furrow::Document* document READ document CONSTANT FINAL)
     Q_PROPERTY(furrow::ProjectFiles* files READ files CONSTANT FINAL)
     Q_PROPERTY(furrow::FarmModel* farm READ farm CONSTANT FINAL)
+    Q_PROPERTY(furrow::FarmPlans* farmPlans READ farmPlans CONSTANT FINAL)
+    Q_PROPERTY(furrow::FarmList* farmList READ farmList CONSTANT FINAL)
     Q_PROPERTY(furrow::ImageryModel* imagery READ imagery CONSTANT FINAL)
     Q_PROPERTY(furrow::RecentFiles* recent READ recent CONSTANT FINAL)
     Q_PROPERTY(furrow::Problem* problem READ problem CONSTANT FINAL)
@@ -53,6 +57,8 @@ public:
     Document* document() { return &document_; }
     ProjectFiles* files() { return &files_; }
     FarmModel* farm() { return &farm_; }
+    FarmPlans* farmPlans() { return &farmPlans_; }
+    FarmList* farmList() { return &farmList_; }
     ImageryModel* imagery() { return &imagery_; }
     RecentFiles* recent() { return &recent_; }
     Problem* problem() { return &problem_; }
@@ -78,6 +84,8 @@ private:
     Document document_;
     ProjectFiles files_{document_};
     FarmModel farm_{document_};
+    FarmPlans farmPlans_{document_};
+    FarmList farmList_{document_, farmPlans_};
     ImageryModel imagery_{document_};
     RecentFiles recent_;
     Problem problem_;
