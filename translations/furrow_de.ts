@@ -487,6 +487,14 @@
         <source>list overview plan all batch totals</source>
         <translation>Liste Übersicht alle planen Summen</translation>
     </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Mit einem anderen Plan vergleichen</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>vergleichen Varianten Unterschiede nebeneinander besser</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -665,6 +673,69 @@
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePanel</name>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Zurück zum Plan (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 beside</source>
+        <translation>%1 neben</translation>
+    </message>
+    <message>
+        <source>The other plan</source>
+        <translation>Der andere Plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan as a variant…</source>
+        <translation>Diesen Plan als Variante behalten…</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>Der andere Plan wird gemacht …</translation>
+    </message>
+    <message>
+        <source>This plan</source>
+        <translation>Dieser Plan</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>Der andere</translation>
+    </message>
+    <message>
+        <source>%1: %2, the other %3</source>
+        <translation>%1: %2, der andere %3</translation>
+    </message>
+    <message>
+        <source>On the map: full lines only in this plan, dashes only in the other.</source>
+        <translation>Auf der Karte: volle Linien nur in diesem Plan, gestrichelte nur im anderen.</translation>
+    </message>
+    <message>
+        <source>Hold to see the other plan (key X)</source>
+        <translation>Halten: der andere Plan (Taste X)</translation>
+    </message>
+    <message>
+        <source>What was chosen otherwise</source>
+        <translation>Was anders gewählt ist</translation>
+    </message>
+    <message>
+        <source>Machine and settings are the same.</source>
+        <translation>Maschine und Einstellungen sind gleich.</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Go on with the other plan</source>
+        <translation>Mit dem anderen Plan weiter</translation>
     </message>
 </context>
 <context>
@@ -901,7 +972,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Weg</translation>
+        <translation>Fahrweg</translation>
     </message>
     <message>
         <source>State</source>
@@ -1622,6 +1693,10 @@
     <message>
         <source>Add a plan to each field</source>
         <translation>Jedem Feld einen Plan hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep as a variant</source>
+        <translation>Als Variante behalten</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6632,10 @@
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -7858,6 +7937,80 @@
     <message>
         <source>With the last change: %1</source>
         <translation>Mit der letzten Änderung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanComparison</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Außerhalb des Felds</translation>
+    </message>
+    <message>
+        <source>In reverse</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The standard settings</source>
+        <translation>Die Standardeinstellungen</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>All swaths lie in the same places.</source>
+        <translation>Alle Spuren liegen an denselben Stellen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s) of the other plan lie elsewhere.</source>
+        <translation>
+            <numerusform>%n Spur des anderen Plans liegt woanders.</numerusform>
+            <numerusform>%n Spuren des anderen Plans liegen woanders.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take the standard settings</source>
+        <translation>Standardeinstellungen nehmen</translation>
     </message>
 </context>
 <context>

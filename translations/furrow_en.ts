@@ -269,6 +269,16 @@
     </message>
 </context>
 <context>
+    <name>furrow::PlanComparison</name>
+    <message numerus="yes">
+        <source>%n swath(s) of the other plan lie elsewhere.</source>
+        <translation>
+            <numerusform>%n swath of the other plan lies elsewhere.</numerusform>
+            <numerusform>%n swaths of the other plan lie elsewhere.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>furrow::Planning</name>
     <message numerus="yes">
         <source>%n field(s) in this file</source>

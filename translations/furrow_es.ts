@@ -487,6 +487,14 @@
         <source>list overview plan all batch totals</source>
         <translation>lista resumen planificar todas totales</translation>
     </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Comparar con otro plan</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>comparar variantes diferencias lado a lado mejor</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -665,6 +673,69 @@
     <message>
         <source>Remove</source>
         <translation>Quitar</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePanel</name>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Volver al plan (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 beside</source>
+        <translation>%1 junto a</translation>
+    </message>
+    <message>
+        <source>The other plan</source>
+        <translation>El otro plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan as a variant…</source>
+        <translation>Guardar este plan como variante…</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>Se está haciendo el otro plan …</translation>
+    </message>
+    <message>
+        <source>This plan</source>
+        <translation>Este plan</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>El otro</translation>
+    </message>
+    <message>
+        <source>%1: %2, the other %3</source>
+        <translation>%1: %2, el otro %3</translation>
+    </message>
+    <message>
+        <source>On the map: full lines only in this plan, dashes only in the other.</source>
+        <translation>En el mapa: líneas continuas solo en este plan, a trazos solo en el otro.</translation>
+    </message>
+    <message>
+        <source>Hold to see the other plan (key X)</source>
+        <translation>Mantener: el otro plan (tecla X)</translation>
+    </message>
+    <message>
+        <source>What was chosen otherwise</source>
+        <translation>Lo que se eligió distinto</translation>
+    </message>
+    <message>
+        <source>Machine and settings are the same.</source>
+        <translation>La máquina y los ajustes son iguales.</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Go on with the other plan</source>
+        <translation>Seguir con el otro plan</translation>
     </message>
 </context>
 <context>
@@ -1622,6 +1693,10 @@
     <message>
         <source>Add a plan to each field</source>
         <translation>Añadir un plan a cada parcela</translation>
+    </message>
+    <message>
+        <source>Keep as a variant</source>
+        <translation>Guardar como variante</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6632,10 @@
         <source>Export</source>
         <translation>Exportar</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -7858,6 +7937,80 @@
     <message>
         <source>With the last change: %1</source>
         <translation>Con el último cambio: %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanComparison</name>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Trabajo</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Giros</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Pasadas</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Trabajado</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Sin trabajar</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Solape</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>In reverse</source>
+        <translation>Marcha atrás</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemas</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The standard settings</source>
+        <translation>Los ajustes estándar</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>All swaths lie in the same places.</source>
+        <translation>Todas las pasadas están en los mismos sitios.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s) of the other plan lie elsewhere.</source>
+        <translation>
+            <numerusform>%n pasada del otro plan está en otro sitio.</numerusform>
+            <numerusform>%n pasadas del otro plan están en otros sitios.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take the standard settings</source>
+        <translation>Tomar los ajustes estándar</translation>
     </message>
 </context>
 <context>

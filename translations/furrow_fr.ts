@@ -487,6 +487,14 @@
         <source>list overview plan all batch totals</source>
         <translation>liste aperçu planifier tous totaux</translation>
     </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Comparer avec un autre plan</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>comparer variantes différences côte à côte meilleur</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -665,6 +673,69 @@
     <message>
         <source>Remove</source>
         <translation>Retirer</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePanel</name>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Retour au plan (Échap)</translation>
+    </message>
+    <message>
+        <source>%1 beside</source>
+        <translation>%1 à côté de</translation>
+    </message>
+    <message>
+        <source>The other plan</source>
+        <translation>L’autre plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan as a variant…</source>
+        <translation>Garder ce plan comme variante…</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>L’autre plan est en cours …</translation>
+    </message>
+    <message>
+        <source>This plan</source>
+        <translation>Ce plan</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>L’autre</translation>
+    </message>
+    <message>
+        <source>%1: %2, the other %3</source>
+        <translation>%1 : %2, l’autre %3</translation>
+    </message>
+    <message>
+        <source>On the map: full lines only in this plan, dashes only in the other.</source>
+        <translation>Sur la carte : traits pleins dans ce plan seul, tirets dans l’autre seul.</translation>
+    </message>
+    <message>
+        <source>Hold to see the other plan (key X)</source>
+        <translation>Maintenir : l’autre plan (touche X)</translation>
+    </message>
+    <message>
+        <source>What was chosen otherwise</source>
+        <translation>Ce qui est choisi autrement</translation>
+    </message>
+    <message>
+        <source>Machine and settings are the same.</source>
+        <translation>La machine et les réglages sont les mêmes.</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Go on with the other plan</source>
+        <translation>Continuer avec l’autre plan</translation>
     </message>
 </context>
 <context>
@@ -1622,6 +1693,10 @@
     <message>
         <source>Add a plan to each field</source>
         <translation>Ajouter un plan à chaque champ</translation>
+    </message>
+    <message>
+        <source>Keep as a variant</source>
+        <translation>Garder comme variante</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6632,10 @@
         <source>Export</source>
         <translation>Exporter</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparer</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -7858,6 +7937,80 @@
     <message>
         <source>With the last change: %1</source>
         <translation>Avec le dernier changement : %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanComparison</name>
+    <message>
+        <source>Time</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajet</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Travail</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Demi-tours</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Travaillé</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Manqué</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Recouvrement</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Hors du champ</translation>
+    </message>
+    <message>
+        <source>In reverse</source>
+        <translation>En marche arrière</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problèmes</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>The standard settings</source>
+        <translation>Les réglages standard</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>All swaths lie in the same places.</source>
+        <translation>Tous les passages sont aux mêmes endroits.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s) of the other plan lie elsewhere.</source>
+        <translation>
+            <numerusform>%n passage de l’autre plan est ailleurs.</numerusform>
+            <numerusform>%n passages de l’autre plan sont ailleurs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take the standard settings</source>
+        <translation>Prendre les réglages standard</translation>
     </message>
 </context>
 <context>

@@ -487,6 +487,14 @@
         <source>list overview plan all batch totals</source>
         <translation>lijst overzicht alles plannen totalen</translation>
     </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Met een ander plan vergelijken</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>vergelijken varianten verschillen naast elkaar beter</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -665,6 +673,69 @@
     <message>
         <source>Remove</source>
         <translation>Verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePanel</name>
+    <message>
+        <source>Compare</source>
+        <translation>Vergelijken</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Terug naar het plan (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 beside</source>
+        <translation>%1 naast</translation>
+    </message>
+    <message>
+        <source>The other plan</source>
+        <translation>Het andere plan</translation>
+    </message>
+    <message>
+        <source>Keep this plan as a variant…</source>
+        <translation>Dit plan als variant bewaren…</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>Het andere plan wordt gemaakt …</translation>
+    </message>
+    <message>
+        <source>This plan</source>
+        <translation>Dit plan</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>Het andere</translation>
+    </message>
+    <message>
+        <source>%1: %2, the other %3</source>
+        <translation>%1: %2, het andere %3</translation>
+    </message>
+    <message>
+        <source>On the map: full lines only in this plan, dashes only in the other.</source>
+        <translation>Op de kaart: volle lijnen alleen in dit plan, streepjes alleen in het andere.</translation>
+    </message>
+    <message>
+        <source>Hold to see the other plan (key X)</source>
+        <translation>Ingedrukt: het andere plan (toets X)</translation>
+    </message>
+    <message>
+        <source>What was chosen otherwise</source>
+        <translation>Wat anders gekozen is</translation>
+    </message>
+    <message>
+        <source>Machine and settings are the same.</source>
+        <translation>Machine en instellingen zijn gelijk.</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Go on with the other plan</source>
+        <translation>Verder met het andere plan</translation>
     </message>
 </context>
 <context>
@@ -901,7 +972,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Route</translation>
+        <translation>Rijweg</translation>
     </message>
     <message>
         <source>State</source>
@@ -1622,6 +1693,10 @@
     <message>
         <source>Add a plan to each field</source>
         <translation>Aan elk perceel een plan toevoegen</translation>
+    </message>
+    <message>
+        <source>Keep as a variant</source>
+        <translation>Als variant bewaren</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6632,10 @@
         <source>Export</source>
         <translation>Exporteren</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergelijken</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -7858,6 +7937,80 @@
     <message>
         <source>With the last change: %1</source>
         <translation>Met de laatste wijziging: %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanComparison</name>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Route</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Werk</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Keren</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Werkgangen</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bewerkt</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Gemist</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Overlap</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Buiten het perceel</translation>
+    </message>
+    <message>
+        <source>In reverse</source>
+        <translation>Achteruit</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The standard settings</source>
+        <translation>De standaardinstellingen</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>All swaths lie in the same places.</source>
+        <translation>Alle werkgangen liggen op dezelfde plaats.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s) of the other plan lie elsewhere.</source>
+        <translation>
+            <numerusform>%n werkgang van het andere plan ligt elders.</numerusform>
+            <numerusform>%n werkgangen van het andere plan liggen elders.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take the standard settings</source>
+        <translation>Standaardinstellingen nemen</translation>
     </message>
 </context>
 <context>

@@ -487,6 +487,14 @@
         <source>list overview plan all batch totals</source>
         <translation>lista resumo planejar todos totais</translation>
     </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Comparar com outro plano</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>comparar variantes diferenças lado a lado melhor</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -665,6 +673,69 @@
     <message>
         <source>Remove</source>
         <translation>Remover</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePanel</name>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Voltar ao plano (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 beside</source>
+        <translation>%1 ao lado de</translation>
+    </message>
+    <message>
+        <source>The other plan</source>
+        <translation>O outro plano</translation>
+    </message>
+    <message>
+        <source>Keep this plan as a variant…</source>
+        <translation>Guardar este plano como variante…</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>O outro plano está sendo feito …</translation>
+    </message>
+    <message>
+        <source>This plan</source>
+        <translation>Este plano</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>O outro</translation>
+    </message>
+    <message>
+        <source>%1: %2, the other %3</source>
+        <translation>%1: %2, o outro %3</translation>
+    </message>
+    <message>
+        <source>On the map: full lines only in this plan, dashes only in the other.</source>
+        <translation>No mapa: linhas contínuas só neste plano, tracejadas só no outro.</translation>
+    </message>
+    <message>
+        <source>Hold to see the other plan (key X)</source>
+        <translation>Segurar: o outro plano (tecla X)</translation>
+    </message>
+    <message>
+        <source>What was chosen otherwise</source>
+        <translation>O que foi escolhido diferente</translation>
+    </message>
+    <message>
+        <source>Machine and settings are the same.</source>
+        <translation>Máquina e ajustes são iguais.</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Go on with the other plan</source>
+        <translation>Continuar com o outro plano</translation>
     </message>
 </context>
 <context>
@@ -1622,6 +1693,10 @@
     <message>
         <source>Add a plan to each field</source>
         <translation>Adicionar um plano a cada talhão</translation>
+    </message>
+    <message>
+        <source>Keep as a variant</source>
+        <translation>Guardar como variante</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6632,10 @@
         <source>Export</source>
         <translation>Exportar</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -7858,6 +7937,80 @@
     <message>
         <source>With the last change: %1</source>
         <translation>Com a última mudança: %1</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::PlanComparison</name>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Manobras</translation>
+    </message>
+    <message>
+        <source>Swaths</source>
+        <translation>Passadas</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Trabalhado</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Não trabalhado</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Sobreposição</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Fora do talhão</translation>
+    </message>
+    <message>
+        <source>In reverse</source>
+        <translation>Em marcha a ré</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemas</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The standard settings</source>
+        <translation>Os ajustes padrão</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>All swaths lie in the same places.</source>
+        <translation>Todas as passadas estão nos mesmos lugares.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n swath(s) of the other plan lie elsewhere.</source>
+        <translation>
+            <numerusform>%n passada do outro plano está em outro lugar.</numerusform>
+            <numerusform>%n passadas do outro plano estão em outros lugares.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take the standard settings</source>
+        <translation>Usar os ajustes padrão</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,7 @@ QtObject {
     signal takeInRequested()
     signal driveBarRequested(on: bool)
     signal driveRequested(segment: int)
+    signal compareRequested()
     signal farmRequested()
     signal renameFieldRequested()
     signal addPlanRequested()
@@ -302,6 +303,15 @@ QtObject {
             keywords: qsTr("season operation copy")
             enabled: root.farm.hasField
             onTriggered: root.addPlanRequested()
+        },
+        Command {
+            objectName: "command.compare"
+            group: root.planGroup
+            text: qsTr("Compare with another plan")
+            shortcut: "Ctrl+D"
+            keywords: qsTr("compare variants differences side by side better")
+            enabled: root.shown.hasPlan
+            onTriggered: root.compareRequested()
         },
         Command {
             objectName: "command.renamePlan"

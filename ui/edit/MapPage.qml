@@ -17,6 +17,11 @@ FocusScope {
     /// The cells at one step of how they came about; shown while `steppingCells`.
     required property cellDrawing cells
     required property bool steppingCells
+    /// Another plan of the field, drawn in place of the one that is shown while that is wanted.
+    property planDrawing other
+    property bool showOther: false
+    /// Its key is held.
+    property bool otherHeld: false
     readonly property planDrawing drawing: shown.drawing
     property bool imageryShown: true
     /// The map from the network is wanted.
@@ -42,7 +47,12 @@ FocusScope {
     property bool keyed: false
 
     clip: true
-    Keys.onReleased: root.keyed = true
+    onActiveFocusChanged: root.otherHeld = false
+    Keys.onReleased: event => {
+        root.keyed = true;
+        if (event.key === Qt.Key_X && !event.isAutoRepeat)
+            root.otherHeld = false;
+    }
     Keys.onPressed: event => {
         event.accepted = true;
         const drawing = editor.drawing;
@@ -77,6 +87,8 @@ FocusScope {
             editor.nudge(way[0] * step, way[1] * step);
         else if (way)
             camera.panBy(-60 * way[0], 60 * way[1]);
+        else if (event.key === Qt.Key_X)
+            root.otherHeld = true;
         else
             event.accepted = false;
     }
@@ -141,7 +153,7 @@ FocusScope {
             anchors.fill: parent
             z: 1
             camera: camera
-            drawing: root.drawing
+            drawing: root.showOther ? root.other : root.drawing
             style: root.planStyle
         }
         CellLayer {

@@ -4,6 +4,7 @@ import QtQuick.Controls
 import QtPositioning
 import Furrow.Best
 import Furrow.Commands
+import Furrow.Compare
 import Furrow.Controls
 import Furrow.Drive
 import Furrow.Edit
@@ -27,7 +28,10 @@ ApplicationWindow {
     /// All fields of the farm are in view in place of the steps and results of one.
     property bool farmWanted: false
     readonly property bool farmOpen: farmWanted && session.farm.hasField
-    readonly property bool panelOpen: !farmOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
+    /// Two plans are compared in place of the results of one.
+    property bool compareWanted: false
+    readonly property bool compareOpen: compareWanted && !farmOpen && session.shown.hasPlan
+    readonly property bool panelOpen: !farmOpen && !compareOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
@@ -143,6 +147,7 @@ ApplicationWindow {
         onTakeInRequested: reviewDialogs.takeIn()
         onDriveBarRequested: on => root.driveWanted = on
         onDriveRequested: segment => root.driveFrom(segment)
+        onCompareRequested: root.compareOpen ? root.closeCompare() : root.showCompare()
         onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
@@ -231,7 +236,7 @@ ApplicationWindow {
         anchors { left: parent.left; right: parent.right; top: parent.top }
         session: root.session
         commands: appCommands
-        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen
+        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen && !root.compareOpen
         farmOpen: root.farmOpen
         panelOpen: root.panelOpen
     }
@@ -271,8 +276,10 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: root.compareOpen ? comparePanel.left : results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
+        other: root.session.comparison.drawing
+        showOther: root.compareOpen && root.session.comparison.ready && (otherHeld || comparePanel.holding)
         document: root.session.document
         shown: root.session.shown
         imagery: root.session.imagery
@@ -315,6 +322,16 @@ ApplicationWindow {
                 selectedFinding: root.currentFinding
             })
         overlays: [
+            DifferenceLayer {
+                anchors.fill: parent
+                visible: root.compareOpen && !page.showOther
+                camera: page.camera
+                comparison: root.session.comparison
+                firstColor: Theme.accent
+                secondColor: Theme.turn
+                casingColor: Theme.panel
+                lineFactor: Theme.lineFactor
+            },
             FarmNames {
                 anchors.fill: parent
                 visible: root.session.farmList.count > 1 || root.farmOpen
@@ -448,8 +465,9 @@ ApplicationWindow {
     DriveBar {
         id: driveBar
 
-        anchors { left: steps.right; right: results.left; bottom: parent.bottom }
-        visible: root.driveWanted && !root.farmOpen && root.session.shown.hasPlan && !page.editor.drawing
+        anchors { left: steps.right; right: root.compareOpen ? comparePanel.left : results.left; bottom: parent.bottom }
+        // Beside two panels in a small window there is no room for it.
+        visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !root.compareOpen) && root.session.shown.hasPlan && !page.editor.drawing
         slim: root.height < 700
         drive: root.session.drive
         onHideRequested: root.driveWanted = false
@@ -482,6 +500,22 @@ ApplicationWindow {
         currentFinding: root.currentFinding
         onFindingRequested: index => root.goToFinding(index)
         onDriveRequested: segment => root.driveFrom(segment)
+    }
+    ComparePanel {
+        id: comparePanel
+
+        objectName: "comparePanel"
+        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
+        width: 340
+        visible: root.compareOpen
+        comparison: root.session.comparison
+        onCloseRequested: root.closeCompare()
+        onVariantRequested: root.askName(qsTr("Keep as a variant"), "", "", false, name => root.session.farm.addPlan(name))
+    }
+    Binding {
+        target: root.session.comparison
+        property: "active"
+        value: root.compareOpen
     }
     ReviewDialogs {
         id: reviewDialogs
@@ -565,6 +599,15 @@ ApplicationWindow {
         }
     }
 
+    function showCompare(): void {
+        root.farmWanted = false;
+        root.compareWanted = true;
+        comparePanel.begin();
+    }
+    function closeCompare(): void {
+        root.compareWanted = false;
+        page.forceActiveFocus();
+    }
     function showFarm(): void {
         root.farmWanted = true;
         farmPanel.begin();

@@ -135,6 +135,14 @@ Rectangle {
             onClicked: root.commands.openRequested()
         }
         PushButton {
+            objectName: "compareButton"
+            visible: root.width > 1000
+            Layout.leftMargin: 4
+            text: qsTr("Compare")
+            enabled: root.session.shown.hasPlan
+            onClicked: root.commands.named("compare").trigger()
+        }
+        PushButton {
             id: exportButton
 
             objectName: "exportButton"

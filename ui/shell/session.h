@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/best/best_search.h"
+#include "ui/compare/plan_comparison.h"
 #include "ui/drive/drive_through.h"
 #include "ui/export/export_model.h"
 #include "ui/farm/farm_list.h"
@@ -47,6 +48,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::FindingsModel* findings READ findings CONSTANT FINAL)
     Q_PROPERTY(furrow::PlanChange* lastChange READ lastChange CONSTANT FINAL)
     Q_PROPERTY(furrow::DriveThrough* drive READ drive CONSTANT FINAL)
+    Q_PROPERTY(furrow::PlanComparison* comparison READ comparison CONSTANT FINAL)
     Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
     Q_PROPERTY(furrow::Printing* printing READ printing CONSTANT FINAL)
@@ -70,6 +72,7 @@ public:
     FindingsModel* findings() { return &findings_; }
     PlanChange* lastChange() { return &lastChange_; }
     DriveThrough* drive() { return &drive_; }
+    PlanComparison* comparison() { return &comparison_; }
     ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
     Printing* printing() { return &printing_; }
@@ -97,6 +100,7 @@ private:
     FindingsModel findings_;
     PlanChange lastChange_;
     DriveThrough drive_{shown_};
+    PlanComparison comparison_{document_, shown_, farm_};
     ReviewModel review_{document_};
     ExportModel exporter_;
     Printing printing_{document_};

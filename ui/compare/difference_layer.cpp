@@ -1,0 +1,86 @@
+#include "ui/compare/difference_layer.h"
+
+#include "planner/geometry/curve_sampling.h"
+#include "ui/map/mesh_nodes.h"
+
+#include <QSGTransformNode>
+
+namespace furrow {
+
+namespace {
+
+/// Lowest first. Lives in the render thread.
+class DifferenceScene : public QSGTransformNode {
+public:
+    DifferenceScene() {
+        for (QSGNode* node : std::initializer_list<QSGNode*>{casing, first, second}) {
+            appendChildNode(node);
+        }
+    }
+
+    LineNode* const casing = new LineNode;
+    LineNode* const first = new LineNode;
+    LineNode* const second = new LineNode;
+};
+
+LineMesh meshOf(const Plan& plan, const std::vector<std::size_t>& swaths, const MapFrame& frame) {
+    const Length tolerance = metres(0.05);
+    LineMesh mesh;
+    for (const std::size_t index : swaths) {
+        std::vector<MapPoint> line;
+        for (const CurveSample& sample : sampled(lineOf(plan.swaths.swaths[index]), tolerance)) {
+            line.push_back(frame.map(sample.pose.position));
+        }
+        mesh.add(line);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+DifferenceLayer::DifferenceLayer(QQuickItem* parent) : MapLayer{parent} {
+    connect(this, &DifferenceLayer::styleChanged, this, &QQuickItem::update);
+}
+
+void DifferenceLayer::setComparison(PlanComparison* comparison) {
+    if (comparison == comparison_) {
+        return;
+    }
+    if (comparison_ != nullptr) {
+        comparison_->disconnect(this);
+    }
+    comparison_ = comparison;
+    if (comparison_ != nullptr) {
+        connect(comparison_, &PlanComparison::changed, this, &QQuickItem::update);
+    }
+    emit comparisonChanged();
+    update();
+}
+
+QSGNode* DifferenceLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
+    if (comparison_ == nullptr || !comparison_->isActive() || !comparison_->isReady()) {
+        delete old;
+        return nullptr;
+    }
+    auto* scene = static_cast<DifferenceScene*>(old);
+    if (scene == nullptr) {
+        scene = new DifferenceScene;
+    }
+    const MapFrame frame{comparison_->first()->field().frame()};
+    const PlanDifference& difference = *comparison_->difference();
+    const LineMesh first = meshOf(*comparison_->first(), difference.onlyInFirst, frame);
+    scene->casing->setMesh(first);
+    scene->first->setMesh(first);
+    scene->second->setMesh(meshOf(*comparison_->second(), difference.onlyInSecond, frame));
+    scene->casing->setStyle({.color = casingColor_, .widthPx = 4.0 * lineFactor_});
+    scene->first->setStyle({.color = firstColor_, .widthPx = 2.2 * lineFactor_});
+    scene->second->setStyle(
+        {.color = secondColor_, .widthPx = 2.2 * lineFactor_, .dashPx = 7.0, .periodPx = 12.0});
+    scene->setMatrix(matrixFor(frame.origin()));
+    for (LineNode* line : {scene->casing, scene->first, scene->second}) {
+        line->setScale(pixelsPerUnit(), devicePixelRatio());
+    }
+    return scene;
+}
+
+}  // namespace furrow
