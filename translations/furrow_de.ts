@@ -481,7 +481,7 @@
     </message>
     <message>
         <source>All fields of the farm</source>
-        <translation>Alle Felder des Betriebs</translation>
+        <translation>Alle Schläge des Betriebs</translation>
     </message>
     <message>
         <source>list overview plan all batch totals</source>
@@ -944,19 +944,19 @@
     </message>
     <message>
         <source>Find a field</source>
-        <translation>Feld suchen</translation>
+        <translation>Schlag suchen</translation>
     </message>
     <message>
         <source>Find a field, season or machine</source>
-        <translation>Feld, Saison oder Maschine suchen</translation>
+        <translation>Schlag, Saison oder Maschine suchen</translation>
     </message>
     <message>
         <source>Back to the field (Esc)</source>
-        <translation>Zurück zum Feld (Esc)</translation>
+        <translation>Zurück zum Schlag (Esc)</translation>
     </message>
     <message>
         <source>Field</source>
-        <translation>Feld</translation>
+        <translation>Schlag</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -980,15 +980,15 @@
     </message>
     <message>
         <source>Fields of the farm</source>
-        <translation>Felder des Betriebs</translation>
+        <translation>Schläge des Betriebs</translation>
     </message>
     <message>
         <source>No field has these words.</source>
-        <translation>Kein Feld enthält diese Wörter.</translation>
+        <translation>Kein Schlag enthält diese Wörter.</translation>
     </message>
     <message>
         <source>There is no field yet.</source>
-        <translation>Es gibt noch kein Feld.</translation>
+        <translation>Es gibt noch keinen Schlag.</translation>
     </message>
     <message>
         <source>Select none</source>
@@ -1009,8 +1009,8 @@
     <message numerus="yes">
         <source>Plan %n field(s)</source>
         <translation>
-            <numerusform>%n Feld planen</numerusform>
-            <numerusform>%n Felder planen</numerusform>
+            <numerusform>%n Schlag planen</numerusform>
+            <numerusform>%n Schläge planen</numerusform>
         </translation>
     </message>
     <message>
@@ -1692,7 +1692,7 @@
     </message>
     <message>
         <source>Add a plan to each field</source>
-        <translation>Jedem Feld einen Plan hinzufügen</translation>
+        <translation>Jedem Schlag einen Plan hinzufügen</translation>
     </message>
     <message>
         <source>Keep as a variant</source>
@@ -6273,8 +6273,8 @@
     <message numerus="yes">
         <source>%n field(s) of the list</source>
         <translation>
-            <numerusform>%n Feld der Liste</numerusform>
-            <numerusform>%n Felder der Liste</numerusform>
+            <numerusform>%n Schlag der Liste</numerusform>
+            <numerusform>%n Schläge der Liste</numerusform>
         </translation>
     </message>
 </context>
@@ -7381,15 +7381,15 @@
     <message numerus="yes">
         <source>Plan %n field(s) alike</source>
         <translation>
-            <numerusform>%n Feld gleich planen</numerusform>
-            <numerusform>%n Felder gleich planen</numerusform>
+            <numerusform>%n Schlag gleich planen</numerusform>
+            <numerusform>%n Schläge gleich planen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Add a plan to %n field(s)</source>
         <translation>
-            <numerusform>%n Feld einen Plan hinzufügen</numerusform>
-            <numerusform>%n Feldern einen Plan hinzufügen</numerusform>
+            <numerusform>%n Schlag einen Plan hinzufügen</numerusform>
+            <numerusform>%n Schlägen einen Plan hinzufügen</numerusform>
         </translation>
     </message>
     <message>
@@ -7433,8 +7433,8 @@
     <message numerus="yes">
         <source>%1 of %n field(s)</source>
         <translation>
-            <numerusform>%1 von %n Feld</numerusform>
-            <numerusform>%1 von %n Feldern</numerusform>
+            <numerusform>%1 von %n Schlag</numerusform>
+            <numerusform>%1 von %n Schlägen</numerusform>
         </translation>
     </message>
     <message>
@@ -7482,8 +7482,8 @@
     <message numerus="yes">
         <source>%n field(s) planned</source>
         <translation>
-            <numerusform>%n Feld geplant</numerusform>
-            <numerusform>%n Felder geplant</numerusform>
+            <numerusform>%n Schlag geplant</numerusform>
+            <numerusform>%n Schläge geplant</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -7951,7 +7951,7 @@
     </message>
     <message>
         <source>Working</source>
-        <translation>Arbeit</translation>
+        <translation>Arbeiten</translation>
     </message>
     <message>
         <source>Turning</source>
@@ -7967,7 +7967,7 @@
     </message>
     <message>
         <source>Missed</source>
-        <translation>Ausgelassen</translation>
+        <translation>Fehlstellen</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -7975,7 +7975,7 @@
     </message>
     <message>
         <source>Outside the field</source>
-        <translation>Außerhalb des Felds</translation>
+        <translation>Außerhalb des Schlags</translation>
     </message>
     <message>
         <source>In reverse</source>

@@ -7963,7 +7963,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Trabajado</translation>
+        <translation>Cubierto</translation>
     </message>
     <message>
         <source>Missed</source>

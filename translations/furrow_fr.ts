@@ -481,7 +481,7 @@
     </message>
     <message>
         <source>All fields of the farm</source>
-        <translation>Tous les champs de l’exploitation</translation>
+        <translation>Toutes les parcelles de l’exploitation</translation>
     </message>
     <message>
         <source>list overview plan all batch totals</source>
@@ -944,19 +944,19 @@
     </message>
     <message>
         <source>Find a field</source>
-        <translation>Chercher un champ</translation>
+        <translation>Chercher une parcelle</translation>
     </message>
     <message>
         <source>Find a field, season or machine</source>
-        <translation>Chercher un champ, une saison, une machine</translation>
+        <translation>Chercher une parcelle, une saison, une machine</translation>
     </message>
     <message>
         <source>Back to the field (Esc)</source>
-        <translation>Retour au champ (Échap)</translation>
+        <translation>Retour à la parcelle (Échap)</translation>
     </message>
     <message>
         <source>Field</source>
-        <translation>Champ</translation>
+        <translation>Parcelle</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -980,15 +980,15 @@
     </message>
     <message>
         <source>Fields of the farm</source>
-        <translation>Champs de l’exploitation</translation>
+        <translation>Parcelles de l’exploitation</translation>
     </message>
     <message>
         <source>No field has these words.</source>
-        <translation>Aucun champ ne contient ces mots.</translation>
+        <translation>Aucune parcelle ne contient ces mots.</translation>
     </message>
     <message>
         <source>There is no field yet.</source>
-        <translation>Il n’y a pas encore de champ.</translation>
+        <translation>Il n’y a pas encore de parcelle.</translation>
     </message>
     <message>
         <source>Select none</source>
@@ -1009,8 +1009,8 @@
     <message numerus="yes">
         <source>Plan %n field(s)</source>
         <translation>
-            <numerusform>Planifier %n champ</numerusform>
-            <numerusform>Planifier %n champs</numerusform>
+            <numerusform>Planifier %n parcelle</numerusform>
+            <numerusform>Planifier %n parcelles</numerusform>
         </translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
     </message>
     <message>
         <source>All are planned</source>
-        <translation>Tous sont planifiés</translation>
+        <translation>Toutes sont planifiées</translation>
     </message>
     <message>
         <source>Machine and settings of this plan</source>
@@ -1027,7 +1027,7 @@
     </message>
     <message>
         <source>Add a plan to each…</source>
-        <translation>Ajouter un plan à chacun…</translation>
+        <translation>Ajouter un plan à chacune…</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -1692,7 +1692,7 @@
     </message>
     <message>
         <source>Add a plan to each field</source>
-        <translation>Ajouter un plan à chaque champ</translation>
+        <translation>Ajouter un plan à chaque parcelle</translation>
     </message>
     <message>
         <source>Keep as a variant</source>
@@ -6273,8 +6273,8 @@
     <message numerus="yes">
         <source>%n field(s) of the list</source>
         <translation>
-            <numerusform>%n champ de la liste</numerusform>
-            <numerusform>%n champs de la liste</numerusform>
+            <numerusform>%n parcelle de la liste</numerusform>
+            <numerusform>%n parcelles de la liste</numerusform>
         </translation>
     </message>
 </context>
@@ -7381,15 +7381,15 @@
     <message numerus="yes">
         <source>Plan %n field(s) alike</source>
         <translation>
-            <numerusform>Planifier %n champ de même</numerusform>
-            <numerusform>Planifier %n champs de même</numerusform>
+            <numerusform>Planifier %n parcelle de même</numerusform>
+            <numerusform>Planifier %n parcelles de même</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Add a plan to %n field(s)</source>
         <translation>
-            <numerusform>Ajouter un plan à %n champ</numerusform>
-            <numerusform>Ajouter un plan à %n champs</numerusform>
+            <numerusform>Ajouter un plan à %n parcelle</numerusform>
+            <numerusform>Ajouter un plan à %n parcelles</numerusform>
         </translation>
     </message>
     <message>
@@ -7433,8 +7433,8 @@
     <message numerus="yes">
         <source>%1 of %n field(s)</source>
         <translation>
-            <numerusform>%1 champ sur %n</numerusform>
-            <numerusform>%1 champs sur %n</numerusform>
+            <numerusform>%1 parcelle sur %n</numerusform>
+            <numerusform>%1 parcelles sur %n</numerusform>
         </translation>
     </message>
     <message>
@@ -7482,8 +7482,8 @@
     <message numerus="yes">
         <source>%n field(s) planned</source>
         <translation>
-            <numerusform>%n champ planifié</numerusform>
-            <numerusform>%n champs planifiés</numerusform>
+            <numerusform>%n parcelle planifiée</numerusform>
+            <numerusform>%n parcelles planifiées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -7943,7 +7943,7 @@
     <name>furrow::PlanComparison</name>
     <message>
         <source>Time</source>
-        <translation>Durée</translation>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Path</source>
@@ -7963,11 +7963,11 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Travaillé</translation>
+        <translation>Couvert</translation>
     </message>
     <message>
         <source>Missed</source>
-        <translation>Manqué</translation>
+        <translation>Non travaillé</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -7975,7 +7975,7 @@
     </message>
     <message>
         <source>Outside the field</source>
-        <translation>Hors du champ</translation>
+        <translation>Hors de la parcelle</translation>
     </message>
     <message>
         <source>In reverse</source>

@@ -7951,11 +7951,11 @@
     </message>
     <message>
         <source>Working</source>
-        <translation>Werk</translation>
+        <translation>Werken</translation>
     </message>
     <message>
         <source>Turning</source>
-        <translation>Keren</translation>
+        <translation>Draaien</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -7967,7 +7967,7 @@
     </message>
     <message>
         <source>Missed</source>
-        <translation>Gemist</translation>
+        <translation>Gemiste plekken</translation>
     </message>
     <message>
         <source>Overlap</source>

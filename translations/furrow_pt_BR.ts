@@ -7963,11 +7963,11 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Trabalhado</translation>
+        <translation>Coberto</translation>
     </message>
     <message>
         <source>Missed</source>
-        <translation>Não trabalhado</translation>
+        <translation>Falhas</translation>
     </message>
     <message>
         <source>Overlap</source>
