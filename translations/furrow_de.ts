@@ -495,6 +495,14 @@
         <source>compare variants differences side by side better</source>
         <translation>vergleichen Varianten Unterschiede nebeneinander besser</translation>
     </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Mit einer Aufzeichnung vergleichen…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>gefahren aufgezeichnet GPX NMEA Spurabweichung vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -778,6 +786,48 @@
     </message>
 </context>
 <context>
+    <name>DrivenDialog</name>
+    <message>
+        <source>Open a recorded track</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recorded tracks (%1)</source>
+        <translation>Aufzeichnungen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DrivenPanel</name>
+    <message>
+        <source>Planned and driven</source>
+        <translation>Geplant und gefahren</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Zurück zum Plan (Esc)</translation>
+    </message>
+    <message>
+        <source>Go to the farthest place</source>
+        <translation>Zur weitesten Stelle</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Distance from the plan</source>
+        <translation>Abstand vom Plan</translation>
+    </message>
+    <message>
+        <source>Another track…</source>
+        <translation>Andere Aufzeichnung…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -802,6 +852,21 @@
     <message>
         <source>Sample field %1</source>
         <translation>Beispielschlag %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorCourse</name>
+    <message>
+        <source>Distance from the plan along the recording, up to %1</source>
+        <translation>Abstand vom Plan entlang der Aufzeichnung, bis %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
     </message>
 </context>
 <context>
@@ -6149,6 +6214,14 @@
         <source>way straight on</source>
         <translation>Weg geradeaus</translation>
     </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>Plan und Aufzeichnung desselben Schlags angeben</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>die Aufzeichnung kommt nirgends zum Plan</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -7332,6 +7405,81 @@
     <message>
         <source>tank empty</source>
         <translation>Tank leer</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DrivenTrack</name>
+    <message>
+        <source>On the plan</source>
+        <translation>Auf dem Plan</translation>
+    </message>
+    <message>
+        <source>Positions within one and a half widths of it; the figures are of these</source>
+        <translation>Orte bis eineinhalb Breiten daneben; die Zahlen gelten für diese</translation>
+    </message>
+    <message>
+        <source>Half are within</source>
+        <translation>Die Hälfte liegt innerhalb</translation>
+    </message>
+    <message>
+        <source>95 % are within</source>
+        <translation>95 % liegen innerhalb</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Am weitesten</translation>
+    </message>
+    <message>
+        <source>On average to the right</source>
+        <translation>Im Mittel nach rechts</translation>
+    </message>
+    <message>
+        <source>On average to the left</source>
+        <translation>Im Mittel nach links</translation>
+    </message>
+    <message>
+        <source>The same everywhere: antenna or offset</source>
+        <translation>Überall gleich: Antenne oder Versatz</translation>
+    </message>
+    <message>
+        <source>On swaths, 95 % within</source>
+        <translation>Auf Spuren 95 % innerhalb</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>As if the implement ran in the middle of the recorded line</source>
+        <translation>Als liefe das Gerät mittig auf der aufgezeichneten Linie</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Fehlstellen</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Gefahren</translation>
+    </message>
+    <message>
+        <source>The plan: %1</source>
+        <translation>Der Plan: %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>weiter</translation>
+    </message>
+    <message>
+        <source>off the plan</source>
+        <translation>neben dem Plan</translation>
     </message>
 </context>
 <context>

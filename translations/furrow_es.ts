@@ -495,6 +495,14 @@
         <source>compare variants differences side by side better</source>
         <translation>comparar variantes diferencias lado a lado mejor</translation>
     </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Comparar con un recorrido grabado…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>recorrido grabado GPX NMEA desviación comparar</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -778,6 +786,48 @@
     </message>
 </context>
 <context>
+    <name>DrivenDialog</name>
+    <message>
+        <source>Open a recorded track</source>
+        <translation>Abrir un recorrido grabado</translation>
+    </message>
+    <message>
+        <source>Recorded tracks (%1)</source>
+        <translation>Recorridos grabados (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DrivenPanel</name>
+    <message>
+        <source>Planned and driven</source>
+        <translation>Planificado y recorrido</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Volver al plan (Esc)</translation>
+    </message>
+    <message>
+        <source>Go to the farthest place</source>
+        <translation>Ir al lugar más alejado</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Distance from the plan</source>
+        <translation>Distancia al plan</translation>
+    </message>
+    <message>
+        <source>Another track…</source>
+        <translation>Otro recorrido…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -802,6 +852,21 @@
     <message>
         <source>Sample field %1</source>
         <translation>Parcela de ejemplo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorCourse</name>
+    <message>
+        <source>Distance from the plan along the recording, up to %1</source>
+        <translation>Distancia al plan a lo largo de la grabación, hasta %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 a la izquierda</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 a la derecha</translation>
     </message>
 </context>
 <context>
@@ -6149,6 +6214,14 @@
         <source>way straight on</source>
         <translation>tramo recto</translation>
     </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>indique un plan y un recorrido de la misma parcela</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>el recorrido no llega al plan en ningún sitio</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -7332,6 +7405,81 @@
     <message>
         <source>tank empty</source>
         <translation>depósito vacío</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DrivenTrack</name>
+    <message>
+        <source>On the plan</source>
+        <translation>En el plan</translation>
+    </message>
+    <message>
+        <source>Positions within one and a half widths of it; the figures are of these</source>
+        <translation>Posiciones a menos de una anchura y media; las cifras son de estas</translation>
+    </message>
+    <message>
+        <source>Half are within</source>
+        <translation>La mitad está dentro de</translation>
+    </message>
+    <message>
+        <source>95 % are within</source>
+        <translation>El 95 % está dentro de</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Lo más lejos</translation>
+    </message>
+    <message>
+        <source>On average to the right</source>
+        <translation>De media a la derecha</translation>
+    </message>
+    <message>
+        <source>On average to the left</source>
+        <translation>De media a la izquierda</translation>
+    </message>
+    <message>
+        <source>The same everywhere: antenna or offset</source>
+        <translation>Igual en todas partes: antena o desplazamiento</translation>
+    </message>
+    <message>
+        <source>On swaths, 95 % within</source>
+        <translation>En pasadas, 95 % dentro de</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Cubierto</translation>
+    </message>
+    <message>
+        <source>As if the implement ran in the middle of the recorded line</source>
+        <translation>Como si el apero fuera centrado en la línea grabada</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Sin trabajar</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>The plan: %1</source>
+        <translation>El plan: %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>hasta %1</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>más lejos</translation>
+    </message>
+    <message>
+        <source>off the plan</source>
+        <translation>fuera del plan</translation>
     </message>
 </context>
 <context>

@@ -495,6 +495,14 @@
         <source>compare variants differences side by side better</source>
         <translation>comparer variantes différences côte à côte meilleur</translation>
     </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Comparer à un trajet enregistré…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>parcouru enregistré GPX NMEA écart comparer</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -778,6 +786,48 @@
     </message>
 </context>
 <context>
+    <name>DrivenDialog</name>
+    <message>
+        <source>Open a recorded track</source>
+        <translation>Ouvrir un trajet enregistré</translation>
+    </message>
+    <message>
+        <source>Recorded tracks (%1)</source>
+        <translation>Trajets enregistrés (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DrivenPanel</name>
+    <message>
+        <source>Planned and driven</source>
+        <translation>Prévu et parcouru</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Retour au plan (Échap)</translation>
+    </message>
+    <message>
+        <source>Go to the farthest place</source>
+        <translation>Aller à l’endroit le plus éloigné</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Distance from the plan</source>
+        <translation>Écart au plan</translation>
+    </message>
+    <message>
+        <source>Another track…</source>
+        <translation>Autre trajet…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -802,6 +852,21 @@
     <message>
         <source>Sample field %1</source>
         <translation>Parcelle d&apos;exemple %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorCourse</name>
+    <message>
+        <source>Distance from the plan along the recording, up to %1</source>
+        <translation>Écart au plan le long de l’enregistrement, jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 à gauche</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 à droite</translation>
     </message>
 </context>
 <context>
@@ -6149,6 +6214,14 @@
         <source>way straight on</source>
         <translation>trajet tout droit</translation>
     </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>donnez un plan et un trajet de la même parcelle</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>le trajet ne passe nulle part par le plan</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -7332,6 +7405,81 @@
     <message>
         <source>tank empty</source>
         <translation>cuve vide</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DrivenTrack</name>
+    <message>
+        <source>On the plan</source>
+        <translation>Sur le plan</translation>
+    </message>
+    <message>
+        <source>Positions within one and a half widths of it; the figures are of these</source>
+        <translation>Positions à moins d’une largeur et demie ; les chiffres portent sur celles-ci</translation>
+    </message>
+    <message>
+        <source>Half are within</source>
+        <translation>La moitié est à moins de</translation>
+    </message>
+    <message>
+        <source>95 % are within</source>
+        <translation>95 % sont à moins de</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Le plus loin</translation>
+    </message>
+    <message>
+        <source>On average to the right</source>
+        <translation>En moyenne à droite</translation>
+    </message>
+    <message>
+        <source>On average to the left</source>
+        <translation>En moyenne à gauche</translation>
+    </message>
+    <message>
+        <source>The same everywhere: antenna or offset</source>
+        <translation>Partout pareil : antenne ou décalage</translation>
+    </message>
+    <message>
+        <source>On swaths, 95 % within</source>
+        <translation>Sur les passages, 95 % à moins de</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Couvert</translation>
+    </message>
+    <message>
+        <source>As if the implement ran in the middle of the recorded line</source>
+        <translation>Comme si l’outil était centré sur la ligne enregistrée</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Non travaillé</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Parcouru</translation>
+    </message>
+    <message>
+        <source>The plan: %1</source>
+        <translation>Le plan : %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>plus loin</translation>
+    </message>
+    <message>
+        <source>off the plan</source>
+        <translation>hors du plan</translation>
     </message>
 </context>
 <context>

@@ -495,6 +495,14 @@
         <source>compare variants differences side by side better</source>
         <translation>vergelijken varianten verschillen naast elkaar beter</translation>
     </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Met een opgenomen rit vergelijken…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>gereden opgenomen GPX NMEA afwijking vergelijken</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -778,6 +786,48 @@
     </message>
 </context>
 <context>
+    <name>DrivenDialog</name>
+    <message>
+        <source>Open a recorded track</source>
+        <translation>Opgenomen rit openen</translation>
+    </message>
+    <message>
+        <source>Recorded tracks (%1)</source>
+        <translation>Opgenomen ritten (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle bestanden (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DrivenPanel</name>
+    <message>
+        <source>Planned and driven</source>
+        <translation>Gepland en gereden</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Terug naar het plan (Esc)</translation>
+    </message>
+    <message>
+        <source>Go to the farthest place</source>
+        <translation>Naar de verste plaats</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Distance from the plan</source>
+        <translation>Afstand tot het plan</translation>
+    </message>
+    <message>
+        <source>Another track…</source>
+        <translation>Andere rit…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -802,6 +852,21 @@
     <message>
         <source>Sample field %1</source>
         <translation>Voorbeeldperceel %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorCourse</name>
+    <message>
+        <source>Distance from the plan along the recording, up to %1</source>
+        <translation>Afstand tot het plan langs de opname, tot %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 naar links</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 naar rechts</translation>
     </message>
 </context>
 <context>
@@ -6149,6 +6214,14 @@
         <source>way straight on</source>
         <translation>weg rechtdoor</translation>
     </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>geef een plan en een rit van hetzelfde perceel</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>de rit komt nergens bij het plan</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -7332,6 +7405,81 @@
     <message>
         <source>tank empty</source>
         <translation>tank leeg</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DrivenTrack</name>
+    <message>
+        <source>On the plan</source>
+        <translation>Op het plan</translation>
+    </message>
+    <message>
+        <source>Positions within one and a half widths of it; the figures are of these</source>
+        <translation>Plaatsen binnen anderhalve breedte; de cijfers gelden voor deze</translation>
+    </message>
+    <message>
+        <source>Half are within</source>
+        <translation>De helft ligt binnen</translation>
+    </message>
+    <message>
+        <source>95 % are within</source>
+        <translation>95 % ligt binnen</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Het verst</translation>
+    </message>
+    <message>
+        <source>On average to the right</source>
+        <translation>Gemiddeld naar rechts</translation>
+    </message>
+    <message>
+        <source>On average to the left</source>
+        <translation>Gemiddeld naar links</translation>
+    </message>
+    <message>
+        <source>The same everywhere: antenna or offset</source>
+        <translation>Overal gelijk: antenne of verschuiving</translation>
+    </message>
+    <message>
+        <source>On swaths, 95 % within</source>
+        <translation>Op werkgangen 95 % binnen</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Bewerkt</translation>
+    </message>
+    <message>
+        <source>As if the implement ran in the middle of the recorded line</source>
+        <translation>Alsof het werktuig midden op de opgenomen lijn liep</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Gemiste plekken</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Gereden</translation>
+    </message>
+    <message>
+        <source>The plan: %1</source>
+        <translation>Het plan: %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tijd</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>tot %1</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>verder</translation>
+    </message>
+    <message>
+        <source>off the plan</source>
+        <translation>buiten het plan</translation>
     </message>
 </context>
 <context>

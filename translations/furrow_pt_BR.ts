@@ -495,6 +495,14 @@
         <source>compare variants differences side by side better</source>
         <translation>comparar variantes diferenças lado a lado melhor</translation>
     </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Comparar com um percurso gravado…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>percorrido gravado GPX NMEA desvio comparar</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -778,6 +786,48 @@
     </message>
 </context>
 <context>
+    <name>DrivenDialog</name>
+    <message>
+        <source>Open a recorded track</source>
+        <translation>Abrir um percurso gravado</translation>
+    </message>
+    <message>
+        <source>Recorded tracks (%1)</source>
+        <translation>Percursos gravados (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>DrivenPanel</name>
+    <message>
+        <source>Planned and driven</source>
+        <translation>Planejado e percorrido</translation>
+    </message>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Voltar ao plano (Esc)</translation>
+    </message>
+    <message>
+        <source>Go to the farthest place</source>
+        <translation>Ir ao lugar mais distante</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Distance from the plan</source>
+        <translation>Distância do plano</translation>
+    </message>
+    <message>
+        <source>Another track…</source>
+        <translation>Outro percurso…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -802,6 +852,21 @@
     <message>
         <source>Sample field %1</source>
         <translation>Talhão de exemplo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorCourse</name>
+    <message>
+        <source>Distance from the plan along the recording, up to %1</source>
+        <translation>Distância do plano ao longo da gravação, até %1</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 à esquerda</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 à direita</translation>
     </message>
 </context>
 <context>
@@ -6149,6 +6214,14 @@
         <source>way straight on</source>
         <translation>trajeto reto</translation>
     </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>indique um plano e um percurso do mesmo talhão</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>o percurso não chega ao plano em lugar nenhum</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -7332,6 +7405,81 @@
     <message>
         <source>tank empty</source>
         <translation>tanque vazio</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::DrivenTrack</name>
+    <message>
+        <source>On the plan</source>
+        <translation>No plano</translation>
+    </message>
+    <message>
+        <source>Positions within one and a half widths of it; the figures are of these</source>
+        <translation>Posições a até uma largura e meia; os números são destas</translation>
+    </message>
+    <message>
+        <source>Half are within</source>
+        <translation>Metade está dentro de</translation>
+    </message>
+    <message>
+        <source>95 % are within</source>
+        <translation>95 % estão dentro de</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Mais distante</translation>
+    </message>
+    <message>
+        <source>On average to the right</source>
+        <translation>Em média à direita</translation>
+    </message>
+    <message>
+        <source>On average to the left</source>
+        <translation>Em média à esquerda</translation>
+    </message>
+    <message>
+        <source>The same everywhere: antenna or offset</source>
+        <translation>Igual em toda parte: antena ou deslocamento</translation>
+    </message>
+    <message>
+        <source>On swaths, 95 % within</source>
+        <translation>Nas passadas, 95 % dentro de</translation>
+    </message>
+    <message>
+        <source>Covered</source>
+        <translation>Coberto</translation>
+    </message>
+    <message>
+        <source>As if the implement ran in the middle of the recorded line</source>
+        <translation>Como se o implemento fosse no centro da linha gravada</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Falhas</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Percorrido</translation>
+    </message>
+    <message>
+        <source>The plan: %1</source>
+        <translation>O plano: %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>até %1</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>mais longe</translation>
+    </message>
+    <message>
+        <source>off the plan</source>
+        <translation>fora do plano</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,6 @@
 #include "planner/io/plan_files/written_path.h"
 #include "planner/track/comparison.h"
 
-#include <algorithm>
 #include <format>
 #include <memory>
 #include <optional>
@@ -27,32 +26,9 @@ struct CompareArguments {
     bool json = false;
 };
 
-// Tells neighbouring swaths apart best (see compareWithPath).
-constexpr double kRadiusInWidths = 1.5;
-
-Bounds boundsOf(const Path& path) {
-    Ring all;
-    for (const PathSegment& segment : path.segments) {
-        for (const PathSample& sample : segment.samples) {
-            all.push_back(sample.position);
-        }
-    }
-    return bounds({Polygon{.outer = std::move(all), .holes = {}}});
-}
-
 /// Of a recording that holds several fields or days, those that come to the plan at all.
 std::vector<RecordedTrack> tracksAt(const WrittenPath& plan, TrackFile& file, Length radius) {
-    const Bounds box = boundsOf(plan.path);
-    std::vector<RecordedTrack> here;
-    for (RecordedTrack& track : file.tracks) {
-        const bool comes = std::ranges::any_of(placesIn(plan.frame, track), [&](Point place) {
-            return place.x >= box.min.x - radius.si() && place.x <= box.max.x + radius.si() &&
-                   place.y >= box.min.y - radius.si() && place.y <= box.max.y + radius.si();
-        });
-        if (comes) {
-            here.push_back(std::move(track));
-        }
-    }
+    std::vector<RecordedTrack> here = tracksNear(plan.path, plan.frame, file.tracks, radius);
     if (here.size() < file.tracks.size() && !here.empty()) {
         file.notes.push_back({.text = std::format("{} of {} tracks are of another place and were left out",
                                                   file.tracks.size() - here.size(), file.tracks.size()),
@@ -79,7 +55,7 @@ int runCompare(const CompareArguments& arguments) {
     if (!file) {
         return failWith(file.error());
     }
-    const Length radius = kRadiusInWidths * plan->operatingWidth;
+    const Length radius = matchRadius(plan->operatingWidth);
     const std::vector<RecordedTrack> tracks = tracksAt(*plan, *file, radius);
     if (tracks.empty()) {
         return failWith(elsewhere(arguments.track));

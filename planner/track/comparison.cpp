@@ -36,7 +36,7 @@ constexpr std::size_t kMostCandidates = 8;
 
 struct Candidate {
     std::uint32_t edge = 0;
-    std::int8_t before = -1;  ///< of the sample before, its chosen candidate; -1: a new beginning
+    std::int16_t before = -1;  ///< of the sample before, its chosen candidate; -1: a new beginning
 };
 
 struct Scored {
@@ -75,7 +75,7 @@ public:
                     }
                 }
                 nowCosts.push_back(best + placeCost(scored, course, track.samples[i]));
-                candidates_.push_back({scored.edge, static_cast<std::int8_t>(from)});
+                candidates_.push_back({scored.edge, static_cast<std::int16_t>(from)});
             }
             begin.push_back(candidates_.size());
             // Where a chain ends, its cheapest candidate says where it came from.
@@ -348,6 +348,26 @@ Result<TrackComparison> compareWithPath(const Path& path, const LocalFrame& fram
         }
     }
     return comparison;
+}
+
+Length matchRadius(Length operatingWidth) {
+    return 1.5 * operatingWidth;
+}
+
+std::vector<RecordedTrack> tracksNear(const Path& path, const LocalFrame& frame,
+                                      std::vector<RecordedTrack> tracks, Length radius) {
+    Ring all;
+    for (const PathSegment& segment : path.segments) {
+        std::ranges::transform(segment.samples, std::back_inserter(all), &PathSample::position);
+    }
+    const Bounds box = bounds({Polygon{.outer = std::move(all), .holes = {}}});
+    std::erase_if(tracks, [&](const RecordedTrack& track) {
+        return std::ranges::none_of(placesIn(frame, track), [&](Point place) {
+            return place.x >= box.min.x - radius.si() && place.x <= box.max.x + radius.si() &&
+                   place.y >= box.min.y - radius.si() && place.y <= box.max.y + radius.si();
+        });
+    });
+    return tracks;
 }
 
 }  // namespace furrow

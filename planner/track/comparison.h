@@ -78,4 +78,11 @@ Result<TrackComparison> compareWithPath(const Path& path, const LocalFrame& fram
                                         std::span<const RecordedTrack> tracks, Length radius,
                                         const JobContext& job = {});
 
+/// The radius that tells neighbouring swaths of this width apart best.
+Length matchRadius(Length operatingWidth);
+
+/// Of a recording that holds several fields or days, those tracks that come near the path at all.
+std::vector<RecordedTrack> tracksNear(const Path& path, const LocalFrame& frame,
+                                      std::vector<RecordedTrack> tracks, Length radius);
+
 }  // namespace furrow

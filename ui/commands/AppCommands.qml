@@ -36,6 +36,7 @@ QtObject {
     signal takeInRequested()
     signal driveBarRequested(on: bool)
     signal driveRequested(segment: int)
+    signal trackRequested()
     signal compareRequested()
     signal farmRequested()
     signal renameFieldRequested()
@@ -312,6 +313,15 @@ QtObject {
             keywords: qsTr("compare variants differences side by side better")
             enabled: root.shown.hasPlan
             onTriggered: root.compareRequested()
+        },
+        Command {
+            objectName: "command.track"
+            group: root.planGroup
+            text: qsTr("Compare with a recorded track…")
+            shortcut: "Ctrl+T"
+            keywords: qsTr("driven recorded GPX NMEA log cross-track error compare")
+            enabled: root.shown.hasPlan
+            onTriggered: root.trackRequested()
         },
         Command {
             objectName: "command.renamePlan"

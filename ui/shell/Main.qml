@@ -7,6 +7,7 @@ import Furrow.Commands
 import Furrow.Compare
 import Furrow.Controls
 import Furrow.Drive
+import Furrow.Driven
 import Furrow.Edit
 import Furrow.Export
 import Furrow.Farm
@@ -31,7 +32,12 @@ ApplicationWindow {
     /// Two plans are compared in place of the results of one.
     property bool compareWanted: false
     readonly property bool compareOpen: compareWanted && !farmOpen && session.shown.hasPlan
-    readonly property bool panelOpen: !farmOpen && !compareOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
+    /// A recorded track lies over the plan, beside its figures.
+    readonly property bool drivenOpen: session.driven.active && !compareOpen && !farmOpen && session.shown.hasPlan
+    /// What takes the place of the results.
+    readonly property bool besideOpen: compareOpen || drivenOpen
+    readonly property list<color> drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
+    readonly property bool panelOpen: !farmOpen && !besideOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
@@ -147,6 +153,7 @@ ApplicationWindow {
         onTakeInRequested: reviewDialogs.takeIn()
         onDriveBarRequested: on => root.driveWanted = on
         onDriveRequested: segment => root.driveFrom(segment)
+        onTrackRequested: drivenDialog.open()
         onCompareRequested: root.compareOpen ? root.closeCompare() : root.showCompare()
         onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
@@ -236,7 +243,7 @@ ApplicationWindow {
         anchors { left: parent.left; right: parent.right; top: parent.top }
         session: root.session
         commands: appCommands
-        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen && !root.compareOpen
+        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen && !root.besideOpen
         farmOpen: root.farmOpen
         panelOpen: root.panelOpen
     }
@@ -276,7 +283,7 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: root.compareOpen ? comparePanel.left : results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: root.compareOpen ? comparePanel.left : root.drivenOpen ? drivenPanel.left : results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         other: root.session.comparison.drawing
         showOther: root.compareOpen && root.session.comparison.ready && (otherHeld || comparePanel.holding)
@@ -322,6 +329,16 @@ ApplicationWindow {
                 selectedFinding: root.currentFinding
             })
         overlays: [
+            DrivenLayer {
+                anchors.fill: parent
+                visible: root.drivenOpen
+                camera: page.camera
+                track: root.session.driven
+                colors: root.drivenColors
+                casingColor: Theme.panel
+                missedColor: Theme.missed
+                lineFactor: Theme.lineFactor
+            },
             DifferenceLayer {
                 anchors.fill: parent
                 visible: root.compareOpen && !page.showOther
@@ -465,9 +482,9 @@ ApplicationWindow {
     DriveBar {
         id: driveBar
 
-        anchors { left: steps.right; right: root.compareOpen ? comparePanel.left : results.left; bottom: parent.bottom }
+        anchors { left: steps.right; right: root.compareOpen ? comparePanel.left : root.drivenOpen ? drivenPanel.left : results.left; bottom: parent.bottom }
         // Beside two panels in a small window there is no room for it.
-        visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !root.compareOpen) && root.session.shown.hasPlan && !page.editor.drawing
+        visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !root.besideOpen) && root.session.shown.hasPlan && !page.editor.drawing
         slim: root.height < 700
         drive: root.session.drive
         onHideRequested: root.driveWanted = false
@@ -511,6 +528,30 @@ ApplicationWindow {
         comparison: root.session.comparison
         onCloseRequested: root.closeCompare()
         onVariantRequested: root.askName(qsTr("Keep as a variant"), "", "", false, name => root.session.farm.addPlan(name))
+    }
+    DrivenDialog {
+        id: drivenDialog
+
+        track: root.session.driven
+    }
+    DrivenPanel {
+        id: drivenPanel
+
+        objectName: "drivenPanel"
+        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
+        width: 340
+        visible: root.drivenOpen
+        track: root.session.driven
+        colors: root.drivenColors
+        onOpenRequested: drivenDialog.open()
+        onCloseRequested: {
+            root.session.driven.close();
+            page.forceActiveFocus();
+        }
+        onPlaceRequested: place => {
+            if (place.isValid)
+                page.camera.centreOn(place, 19, true);
+        }
     }
     Binding {
         target: root.session.comparison

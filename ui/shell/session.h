@@ -3,6 +3,7 @@
 #include "ui/best/best_search.h"
 #include "ui/compare/plan_comparison.h"
 #include "ui/drive/drive_through.h"
+#include "ui/driven/driven_track.h"
 #include "ui/export/export_model.h"
 #include "ui/farm/farm_list.h"
 #include "ui/farm/farm_plans.h"
@@ -49,6 +50,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::PlanChange* lastChange READ lastChange CONSTANT FINAL)
     Q_PROPERTY(furrow::DriveThrough* drive READ drive CONSTANT FINAL)
     Q_PROPERTY(furrow::PlanComparison* comparison READ comparison CONSTANT FINAL)
+    Q_PROPERTY(furrow::DrivenTrack* driven READ driven CONSTANT FINAL)
     Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
     Q_PROPERTY(furrow::Printing* printing READ printing CONSTANT FINAL)
@@ -73,6 +75,7 @@ public:
     PlanChange* lastChange() { return &lastChange_; }
     DriveThrough* drive() { return &drive_; }
     PlanComparison* comparison() { return &comparison_; }
+    DrivenTrack* driven() { return &driven_; }
     ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
     Printing* printing() { return &printing_; }
@@ -101,6 +104,7 @@ private:
     PlanChange lastChange_;
     DriveThrough drive_{shown_};
     PlanComparison comparison_{document_, shown_, farm_};
+    DrivenTrack driven_{shown_};
     ReviewModel review_{document_};
     ExportModel exporter_;
     Printing printing_{document_};
