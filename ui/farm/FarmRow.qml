@@ -39,7 +39,7 @@ T.ItemDelegate {
     background: Rectangle {
         radius: 6
         color: root.selected ? Theme.softAccent : root.hovered ? Theme.hover : "transparent"
-        border.width: root.keyed ? 2 : root.selected && Theme.sunlight ? 2 : 0
+        border.width: root.keyed ? (Theme.sunlight ? 4 : 2) : root.selected && Theme.sunlight ? 2 : 0
         border.color: Theme.accent
     }
     contentItem: Item {
