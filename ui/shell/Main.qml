@@ -36,6 +36,7 @@ ApplicationWindow {
     readonly property bool drivenOpen: session.driven.active && !compareOpen && !farmOpen && session.shown.hasPlan
     /// What takes the place of the results.
     readonly property bool besideOpen: compareOpen || drivenOpen
+    readonly property Item rightPanel: compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
     readonly property list<color> drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
     readonly property bool panelOpen: !farmOpen && !besideOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
     property int currentFinding: -1
@@ -153,7 +154,11 @@ ApplicationWindow {
         onTakeInRequested: reviewDialogs.takeIn()
         onDriveBarRequested: on => root.driveWanted = on
         onDriveRequested: segment => root.driveFrom(segment)
-        onTrackRequested: drivenDialog.open()
+        onTrackRequested: {
+            root.farmWanted = false;
+            root.compareWanted = false;
+            drivenDialog.open();
+        }
         onCompareRequested: root.compareOpen ? root.closeCompare() : root.showCompare()
         onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
@@ -283,7 +288,7 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: root.compareOpen ? comparePanel.left : root.drivenOpen ? drivenPanel.left : results.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: root.rightPanel.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         other: root.session.comparison.drawing
         showOther: root.compareOpen && root.session.comparison.ready && (otherHeld || comparePanel.holding)
@@ -383,7 +388,7 @@ ApplicationWindow {
                 camera: page.camera
                 onClicked: row => root.showComment(row)
                 onPlaced: place => {
-                    root.panelWanted = true;
+                    root.openResults();
                     results.showReview();
                     results.reviewSection.write(place);
                 }
@@ -397,7 +402,7 @@ ApplicationWindow {
         }
         onFieldDrawn: boundary => root.session.opener.addDrawn(boundary)
         onInspectRequested: {
-            root.panelWanted = true;
+            root.openResults();
             results.focusInspector();
         }
 
@@ -482,7 +487,7 @@ ApplicationWindow {
     DriveBar {
         id: driveBar
 
-        anchors { left: steps.right; right: root.compareOpen ? comparePanel.left : root.drivenOpen ? drivenPanel.left : results.left; bottom: parent.bottom }
+        anchors { left: steps.right; right: root.rightPanel.left; bottom: parent.bottom }
         // Beside two panels in a small window there is no room for it.
         visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !root.besideOpen) && root.session.shown.hasPlan && !page.editor.drawing
         slim: root.height < 700
@@ -640,6 +645,13 @@ ApplicationWindow {
         }
     }
 
+    /// The results, in place of whatever stands there or over them.
+    function openResults(): void {
+        root.farmWanted = false;
+        root.compareWanted = false;
+        root.session.driven.close();
+        root.panelWanted = true;
+    }
     function showCompare(): void {
         root.farmWanted = false;
         root.compareWanted = true;
@@ -672,7 +684,7 @@ ApplicationWindow {
     function showComment(row: int): void {
         pins.current = row;
         results.reviewSection.current = row;
-        root.panelWanted = true;
+        root.openResults();
         results.showReview();
         const place = root.session.review.placeOf(row);
         if (place.isValid)
@@ -680,7 +692,7 @@ ApplicationWindow {
     }
     /// A comment on a place of the map that is clicked next, or on the whole plan.
     function comment(atPlace: bool): void {
-        root.panelWanted = true;
+        root.openResults();
         results.showReview();
         if (atPlace)
             pins.placing = true;
@@ -695,7 +707,7 @@ ApplicationWindow {
         const next = root.currentFinding < 0 ? (by > 0 ? 0 : count - 1) : (root.currentFinding + by + count) % count;
         if (next >= root.session.findings.few)
             root.session.findings.all = true;
-        root.panelWanted = true;
+        root.openResults();
         root.goToFinding(next);
         results.showFinding(next);
     }
@@ -703,7 +715,7 @@ ApplicationWindow {
     function showFindings(): void {
         if (!root.session.shown.hasPlan)
             return;
-        root.panelWanted = true;
+        root.openResults();
         results.showFindings();
     }
     function openPath(path: string): void {

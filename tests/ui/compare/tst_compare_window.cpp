@@ -104,6 +104,12 @@ void TestCompareWindow::withAVariant() {
     QTest::mouseRelease(window_, Qt::LeftButton, {}, button);
     QTRY_VERIFY(!page->property("showOther").toBool());
     picture("compare_variant");
+    // A comment is written in the results: they come back.
+    key(Qt::Key_M, Qt::ControlModifier);
+    QTRY_VERIFY(item("resultsPanel")->isVisible() && !item("comparePanel")->isVisible());
+    key(Qt::Key_Escape);
+    key(Qt::Key_D, Qt::ControlModifier);
+    waitForOther();
     click("compare.take");
     QTRY_COMPARE(session_->farm()->currentPlan(), 0);
     waitForPlan();
