@@ -1,6 +1,5 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import Furrow.Controls
 
 /// The plan on the map beside another one: all figures, the better one marked, and what was chosen otherwise.
@@ -27,12 +26,12 @@ Rectangle {
         font.weight: better ? Font.Bold : Font.Normal
         color: better ? Theme.accent : Theme.ink
     }
-    component Columns: QtObject {
+    QtObject {
+        id: columns
+
         readonly property real first: root.width * 0.31
         readonly property real value: (root.width - 40 - first) / 2
     }
-
-    Columns { id: columns }
     Shortcut {
         enabled: root.visible
         sequences: [StandardKey.Cancel]

@@ -5,6 +5,8 @@
 
 #include <QSGTransformNode>
 
+#include <utility>
+
 namespace furrow {
 
 namespace {
@@ -51,8 +53,12 @@ void DifferenceLayer::setComparison(PlanComparison* comparison) {
     }
     comparison_ = comparison;
     if (comparison_ != nullptr) {
-        connect(comparison_, &PlanComparison::changed, this, &QQuickItem::update);
+        connect(comparison_, &PlanComparison::changed, this, [this] {
+            stale_ = true;
+            update();
+        });
     }
+    stale_ = true;
     emit comparisonChanged();
     update();
 }
@@ -65,13 +71,16 @@ QSGNode* DifferenceLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
     auto* scene = static_cast<DifferenceScene*>(old);
     if (scene == nullptr) {
         scene = new DifferenceScene;
+        stale_ = true;
     }
     const MapFrame frame{comparison_->first()->field().frame()};
-    const PlanDifference& difference = *comparison_->difference();
-    const LineMesh first = meshOf(*comparison_->first(), difference.onlyInFirst, frame);
-    scene->casing->setMesh(first);
-    scene->first->setMesh(first);
-    scene->second->setMesh(meshOf(*comparison_->second(), difference.onlyInSecond, frame));
+    if (std::exchange(stale_, false)) {
+        const PlanDifference& difference = *comparison_->difference();
+        const LineMesh first = meshOf(*comparison_->first(), difference.onlyInFirst, frame);
+        scene->casing->setMesh(first);
+        scene->first->setMesh(first);
+        scene->second->setMesh(meshOf(*comparison_->second(), difference.onlyInSecond, frame));
+    }
     scene->casing->setStyle({.color = casingColor_, .widthPx = 4.0 * lineFactor_});
     scene->first->setStyle({.color = firstColor_, .widthPx = 2.2 * lineFactor_});
     scene->second->setStyle(

@@ -35,6 +35,8 @@ protected:
 
 private:
     QPointer<PlanComparison> comparison_;
+    /// The swaths that differ have changed.
+    bool stale_ = true;
     QColor firstColor_;
     QColor secondColor_;
     QColor casingColor_;

@@ -28,7 +28,6 @@ class PlanComparison : public QObject {
     Q_PROPERTY(QStringList choices READ choices NOTIFY changed FINAL)
     Q_PROPERTY(int chosen READ chosen WRITE choose NOTIFY changed FINAL)
     Q_PROPERTY(QString firstName READ firstName NOTIFY changed FINAL)
-    Q_PROPERTY(QString secondName READ secondName NOTIFY changed FINAL)
     Q_PROPERTY(bool busy READ isBusy NOTIFY changed FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
     /// Both plans are there.
@@ -53,7 +52,6 @@ public:
     int chosen() const;
     void choose(int choice);
     QString firstName() const;
-    QString secondName() const { return choices().value(chosen()); }
     bool isBusy() const { return runner_.isBusy(); }
     double progress() const { return runner_.progress(); }
     bool isReady() const { return difference_.has_value(); }
