@@ -8,7 +8,6 @@
 #include "planner/io/plan_files/written_path.h"
 #include "planner/track/comparison.h"
 
-#include <format>
 #include <memory>
 #include <optional>
 #include <print>
@@ -26,24 +25,6 @@ struct CompareArguments {
     bool json = false;
 };
 
-/// Of a recording that holds several fields or days, those that come to the plan at all.
-std::vector<RecordedTrack> tracksAt(const WrittenPath& plan, TrackFile& file, Length radius) {
-    std::vector<RecordedTrack> here = tracksNear(plan.path, plan.frame, file.tracks, radius);
-    if (here.size() < file.tracks.size() && !here.empty()) {
-        file.notes.push_back({.text = std::format("{} of {} tracks are of another place and were left out",
-                                                  file.tracks.size() - here.size(), file.tracks.size()),
-                              .where = {}});
-    }
-    return here;
-}
-
-Error elsewhere(const std::string& track) {
-    return {.code = ErrorCode::InputRefused,
-            .what = "the track does not come to the plan anywhere",
-            .where = track,
-            .remedy = "give a plan and a track of the same field"};
-}
-
 int runCompare(const CompareArguments& arguments) {
     const InterruptWatch watch;
     const JobContext job = terminalJob(watch, 0, true);
@@ -51,28 +32,22 @@ int runCompare(const CompareArguments& arguments) {
     if (!plan) {
         return failWith(plan.error());
     }
-    auto file = readTracks(arguments.track, job);
+    const auto file = readTracks(arguments.track, job);
     if (!file) {
         return failWith(file.error());
     }
-    const Length radius = matchRadius(plan->operatingWidth);
-    const std::vector<RecordedTrack> tracks = tracksAt(*plan, *file, radius);
-    if (tracks.empty()) {
-        return failWith(elsewhere(arguments.track));
-    }
-    const auto comparison = compareWithPath(plan->path, plan->frame, tracks, radius, job);
-    if (!comparison) {
-        return failWith(comparison.error());
-    }
-    if (comparison->matched == 0) {
-        return failWith(elsewhere(arguments.track));
+    const auto laid = laidOver(plan->path, plan->frame, *file, plan->operatingWidth, job);
+    if (!laid) {
+        Error error = laid.error();
+        error.where = arguments.track;
+        return failWith(error);
     }
     const ComparisonReport report{.plan = *plan,
                                   .format = file->format,
-                                  .tracks = tracks,
-                                  .comparison = *comparison,
-                                  .notes = file->notes,
-                                  .radius = radius};
+                                  .tracks = laid->tracks,
+                                  .comparison = laid->comparison,
+                                  .notes = laid->notes,
+                                  .radius = laid->radius};
     std::vector<std::filesystem::path> written;
     if (!arguments.out.empty()) {
         const FileToWrite files[] = {{"compare.csv", [&report] { return comparisonCsv(report); }},

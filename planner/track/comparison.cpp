@@ -350,24 +350,54 @@ Result<TrackComparison> compareWithPath(const Path& path, const LocalFrame& fram
     return comparison;
 }
 
-Length matchRadius(Length operatingWidth) {
-    return 1.5 * operatingWidth;
-}
+namespace {
+
+// Tells neighbouring swaths apart best.
+constexpr double kRadiusInWidths = 1.5;
 
 std::vector<RecordedTrack> tracksNear(const Path& path, const LocalFrame& frame,
-                                      std::vector<RecordedTrack> tracks, Length radius) {
+                                      const std::vector<RecordedTrack>& tracks, Length radius) {
     Ring all;
     for (const PathSegment& segment : path.segments) {
         std::ranges::transform(segment.samples, std::back_inserter(all), &PathSample::position);
     }
     const Bounds box = bounds({Polygon{.outer = std::move(all), .holes = {}}});
-    std::erase_if(tracks, [&](const RecordedTrack& track) {
-        return std::ranges::none_of(placesIn(frame, track), [&](Point place) {
+    std::vector<RecordedTrack> near;
+    std::ranges::copy_if(tracks, std::back_inserter(near), [&](const RecordedTrack& track) {
+        return std::ranges::any_of(placesIn(frame, track), [&](Point place) {
             return place.x >= box.min.x - radius.si() && place.x <= box.max.x + radius.si() &&
                    place.y >= box.min.y - radius.si() && place.y <= box.max.y + radius.si();
         });
     });
-    return tracks;
+    return near;
+}
+
+}  // namespace
+
+Result<LaidTracks> laidOver(const Path& path, const LocalFrame& frame, const TrackFile& file,
+                            Length operatingWidth, const JobContext& job) {
+    const Length radius = kRadiusInWidths * operatingWidth;
+    LaidTracks laid{.tracks = tracksNear(path, frame, file.tracks, radius),
+                    .notes = file.notes,
+                    .radius = radius,
+                    .comparison = {}};
+    auto comparison = compareWithPath(path, frame, laid.tracks, radius, job);
+    if (!comparison) {
+        return std::unexpected(comparison.error());
+    }
+    if (comparison->matched == 0) {
+        return std::unexpected(Error{.code = ErrorCode::InputRefused,
+                                     .what = "the track does not come to the plan anywhere",
+                                     .where = {},
+                                     .remedy = "give a plan and a track of the same field"});
+    }
+    if (laid.tracks.size() < file.tracks.size()) {
+        laid.notes.push_back({.text = message("{} of {} tracks are of another place and were left out",
+                                              file.tracks.size() - laid.tracks.size(), file.tracks.size()),
+                              .where = {}});
+    }
+    laid.comparison = *std::move(comparison);
+    return laid;
 }
 
 }  // namespace furrow

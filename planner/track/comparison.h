@@ -78,11 +78,18 @@ Result<TrackComparison> compareWithPath(const Path& path, const LocalFrame& fram
                                         std::span<const RecordedTrack> tracks, Length radius,
                                         const JobContext& job = {});
 
-/// The radius that tells neighbouring swaths of this width apart best.
-Length matchRadius(Length operatingWidth);
+/// A recording beside a path.
+struct LaidTracks {
+    std::vector<RecordedTrack> tracks;  ///< those that come near the path at all
+    std::vector<Note> notes;            ///< of the file, and of tracks that were left out
+    Length radius;                      ///< as used
+    TrackComparison comparison;
+};
 
-/// Of a recording that holds several fields or days, those tracks that come near the path at all.
-std::vector<RecordedTrack> tracksNear(const Path& path, const LocalFrame& frame,
-                                      std::vector<RecordedTrack> tracks, Length radius);
+/// Compares what a file holds with a path. Of a recording of several fields or days only those tracks count
+/// that come near it. The radius is one and a half widths. Errors: Cancelled. InputRefused: no track comes to
+/// the path.
+Result<LaidTracks> laidOver(const Path& path, const LocalFrame& frame, const TrackFile& file,
+                            Length operatingWidth, const JobContext& job = {});
 
 }  // namespace furrow

@@ -61,38 +61,27 @@ DrivenTrack::DrivenTrack(ShownPlan& shown, QObject* parent) : QObject{parent}, s
     connect(&Display::instance(), &Display::changed, this, &DrivenTrack::changed);
 }
 
-Result<DrivenTrack::Laid> DrivenTrack::laidOver(const std::shared_ptr<const Plan>& plan,
-                                                const TrackFile& file, const JobContext& job) {
+Result<DrivenTrack::Laid> DrivenTrack::laidOverPlan(const std::shared_ptr<const Plan>& plan,
+                                                    const TrackFile& file, const JobContext& job) {
     const Length width = plan->request.machine.operatingWidth();
-    const Length radius = matchRadius(width);
     const LocalFrame& frame = plan->field().frame();
-    Laid laid{.plan = plan,
-              .tracks = tracksNear(plan->path, frame, file.tracks, radius),
-              .places = {},
-              .notes = file.notes,
-              .comparison = {},
-              .area = {}};
-    for (const RecordedTrack& track : laid.tracks) {
-        laid.places.push_back(placesIn(frame, track));
+    auto recorded = laidOver(plan->path, frame, file, width, job.part(0.5, 0.7));
+    if (!recorded) {
+        return std::unexpected(recorded.error());
     }
-    auto comparison = compareWithPath(plan->path, frame, laid.tracks, radius, job.part(0.5, 0.7));
-    if (!comparison) {
-        return std::unexpected(comparison.error());
+    std::vector<Ring> places;
+    for (const RecordedTrack& track : recorded->tracks) {
+        places.push_back(placesIn(frame, track));
     }
-    laid.comparison = *std::move(comparison);
-    if (laid.comparison.matched == 0) {
-        return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = "the track does not come to the plan anywhere",
-                                     .where = {},
-                                     .remedy = "give a plan and a track of the same field"});
-    }
-    auto area = drivenArea(plan->field().workable(), laid.tracks, laid.places, laid.comparison, width,
+    auto area = drivenArea(plan->field().workable(), recorded->tracks, places, recorded->comparison, width,
                            job.part(0.7, 1.0));
     if (!area) {
         return std::unexpected(area.error());
     }
-    laid.area = *std::move(area);
-    return laid;
+    return Laid{.plan = plan,
+                .recorded = *std::move(recorded),
+                .places = std::move(places),
+                .area = *std::move(area)};
 }
 
 void DrivenTrack::open(const QUrl& file) {
@@ -136,7 +125,7 @@ void DrivenTrack::lay() {
             }
         }
         if (tracks != nullptr) {
-            auto made = laidOver(plan, *tracks, job);
+            auto made = laidOverPlan(plan, *tracks, job);
             if (made) {
                 laid = std::make_shared<const Laid>(*std::move(made));
             } else {
@@ -163,7 +152,7 @@ QString DrivenTrack::name() const {
 QStringList DrivenTrack::notes() const {
     QStringList all;
     if (laid_ != nullptr) {
-        for (const Note& note : laid_->notes) {
+        for (const Note& note : laid_->recorded.notes) {
             all << sentence(note.text);
         }
     }
@@ -184,7 +173,7 @@ QVariantList DrivenTrack::figures() const {
     if (laid_ == nullptr) {
         return rows;
     }
-    const TrackComparison& compared = laid_->comparison;
+    const TrackComparison& compared = laid_->recorded.comparison;
     const auto distance = [](Length length) { return metresText(length, 2); };
     rows << figure(tr("On the plan"), percentText(compared.matchedShare(), 1),
                    tr("Positions within one and a half widths of it; the figures are of these"))
@@ -209,7 +198,7 @@ QVariantList DrivenTrack::figures() const {
     }
     rows << figure(tr("Driven"), lengthText(metres(way)),
                    tr("The plan: %1").arg(lengthText(laid_->plan->path.length())));
-    if (const auto time = timeOf(laid_->tracks)) {
+    if (const auto time = timeOf(laid_->recorded.tracks)) {
         rows << figure(tr("Time"), durationText(*time),
                        tr("The plan: %1").arg(durationText(laid_->plan->path.duration())));
     }
@@ -226,18 +215,18 @@ QStringList DrivenTrack::steps() const {
 
 QList<QPointF> DrivenTrack::course() const {
     QList<QPointF> points;
-    if (laid_ == nullptr || laid_->comparison.overall.largest.si() <= 0.0) {
+    if (laid_ == nullptr || laid_->recorded.comparison.overall.largest.si() <= 0.0) {
         return points;
     }
     std::vector<double> errors;
-    for (const auto& track : laid_->comparison.matches) {
+    for (const auto& track : laid_->recorded.comparison.matches) {
         for (const auto& match : track) {
             errors.push_back(match ? match->crossTrackM : 0.0);
         }
     }
     // Of what falls on one place the farthest is shown.
     const std::size_t bins = std::min(kPointsOfCourse, errors.size());
-    const double largest = laid_->comparison.overall.largest.si();
+    const double largest = laid_->recorded.comparison.overall.largest.si();
     for (std::size_t bin = 0; bin < bins; ++bin) {
         const auto from = errors.begin() + static_cast<std::ptrdiff_t>(bin * errors.size() / bins);
         const auto to = errors.begin() + static_cast<std::ptrdiff_t>((bin + 1) * errors.size() / bins);
@@ -251,7 +240,7 @@ QList<QPointF> DrivenTrack::course() const {
 }
 
 QString DrivenTrack::courseTop() const {
-    return laid_ == nullptr ? QString{} : metresText(laid_->comparison.overall.largest, 2);
+    return laid_ == nullptr ? QString{} : metresText(laid_->recorded.comparison.overall.largest, 2);
 }
 
 QGeoCoordinate DrivenTrack::placeAt(double share) const {
@@ -260,7 +249,7 @@ QGeoCoordinate DrivenTrack::placeAt(double share) const {
     }
     const MapFrame frame{laid_->plan->field().frame()};
     auto wanted = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) *
-                                           static_cast<double>(laid_->comparison.samples - 1));
+                                           static_cast<double>(laid_->recorded.comparison.samples - 1));
     for (const Ring& places : laid_->places) {
         if (wanted < places.size()) {
             return coordinate(frame.geo(places[wanted]));
@@ -278,7 +267,7 @@ QGeoCoordinate DrivenTrack::farthest() const {
     Point place;
     for (std::size_t i = 0; i < laid_->places.size(); ++i) {
         for (std::size_t k = 0; k < laid_->places[i].size(); ++k) {
-            const auto& match = laid_->comparison.matches[i][k];
+            const auto& match = laid_->recorded.comparison.matches[i][k];
             if (match && std::abs(match->crossTrackM) > most) {
                 most = std::abs(match->crossTrackM);
                 place = laid_->places[i][k];
@@ -293,7 +282,7 @@ std::vector<DrivenTrack::Line> DrivenTrack::lines() const {
     for (std::size_t i = 0; laid_ != nullptr && i < laid_->places.size(); ++i) {
         const Ring& places = laid_->places[i];
         for (std::size_t k = 0; k < places.size(); ++k) {
-            const std::size_t step = stepOf(laid_->comparison.matches[i][k]);
+            const std::size_t step = stepOf(laid_->recorded.comparison.matches[i][k]);
             if (k == 0) {
                 lines.push_back({.step = step, .points = {places[k]}});
                 continue;

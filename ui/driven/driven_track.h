@@ -91,14 +91,12 @@ private:
     /// A recording beside a plan. Immutable.
     struct Laid {
         std::shared_ptr<const Plan> plan;
-        std::vector<RecordedTrack> tracks;
+        LaidTracks recorded;
         std::vector<Ring> places;
-        std::vector<Note> notes;
-        TrackComparison comparison;
         DrivenArea area;
     };
-    static Result<Laid> laidOver(const std::shared_ptr<const Plan>& plan, const TrackFile& file,
-                                 const JobContext& job);
+    static Result<Laid> laidOverPlan(const std::shared_ptr<const Plan>& plan, const TrackFile& file,
+                                     const JobContext& job);
     void lay();
 
     ShownPlan& shown_;
