@@ -67,12 +67,7 @@ OrderedPlan orderedPlan(OrderSheet sheet, WorkOrder order) {
 }
 
 Result<OrderSheet> plannedSheet(const ProjectField& field, const FieldPlan& plan, const JobContext& job) {
-    auto made = Field::create(*field.source, job.part(0.0, 0.1));
-    if (!made) {
-        return std::unexpected(made.error());
-    }
-    return planRequest(std::make_shared<const Field>(*std::move(made)), plan.machine, plan.settings, job)
-        .and_then([&job](const PlanRequest& request) { return makePlan(request, job.part(0.1, 0.9)); })
+    return planOfSource(*field.source, plan.machine, plan.settings, job.part(0.0, 0.9))
         .and_then([&job](const auto& finished) { return withAdvice(finished, job.part(0.9, 1.0)); })
         .and_then([](const auto& finished) { return orderSheet(*finished); });
 }

@@ -132,4 +132,13 @@ Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machin
     });
 }
 
+Result<std::shared_ptr<const Plan>> planOfSource(const FieldSource& source, const Machine& machine,
+                                                 const Settings& settings, const JobContext& job) {
+    return Field::create(source, job.part(0.0, 0.1))
+        .and_then([&](Field field) {
+            return planRequest(std::make_shared<const Field>(std::move(field)), machine, settings, job);
+        })
+        .and_then([&job](const PlanRequest& request) { return makePlan(request, job.part(0.1, 1.0)); });
+}
+
 }  // namespace furrow

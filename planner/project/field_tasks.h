@@ -47,4 +47,8 @@ Result<FieldTask> readFieldTask(const std::filesystem::path& path, std::optional
 Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machine& machine,
                                 const Settings& settings, const JobContext& job);
 
+/// The plan of a field as it was read: checked, requested, planned. Errors: those of the three.
+Result<std::shared_ptr<const Plan>> planOfSource(const FieldSource& source, const Machine& machine,
+                                                 const Settings& settings, const JobContext& job);
+
 }  // namespace furrow

@@ -17,16 +17,6 @@ namespace furrow {
 
 namespace {
 
-Result<PlanResult> planned(const std::shared_ptr<const FieldSource>& source, const Machine& machine,
-                           const Settings& settings, const JobContext& job) {
-    return Field::create(*source, job.part(0.0, 0.1))
-        .and_then([&](Field field) {
-            return planRequest(std::make_shared<const Field>(std::move(field)), machine, settings, job);
-        })
-        .and_then([&job](const PlanRequest& request) { return makePlan(request, job.part(0.1, 1.0)); })
-        .transform([](const std::shared_ptr<const Plan>& plan) { return furrow::resultOf(*plan); });
-}
-
 void write(const QString& file, const std::string& text) {
     QDir{}.mkpath(QFileInfo{file}.path());
     QSaveFile kept{file};
@@ -148,7 +138,9 @@ void FarmPlans::start(Worker& worker, std::size_t index) {
     worker.runner.submit([this, &worker, source = field.source, machine = plan.machine,
                           settings = plan.settings, key = planKey(*field.source, plan),
                           place = placeOf(field, plan)](const JobContext& job) -> JobRunner::Delivery {
-        auto result = planned(source, machine, settings, job);
+        auto result = planOfSource(*source, machine, settings, job).transform([](const auto& made) {
+            return furrow::resultOf(*made);
+        });
         return
             [this, &worker, key, place, result = std::move(result)] { finish(worker, key, place, result); };
     });

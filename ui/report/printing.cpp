@@ -47,12 +47,7 @@ Result<std::shared_ptr<const Plan>> plannedFor(const Task& task, const JobContex
     if (task.plan != nullptr) {
         return task.plan;
     }
-    auto field = Field::create(*task.source, job.part(0.0, 0.1));
-    if (!field) {
-        return std::unexpected(field.error());
-    }
-    return planRequest(std::make_shared<const Field>(*std::move(field)), task.machine, task.settings, job)
-        .and_then([&job](const PlanRequest& request) { return makePlan(request, job.part(0.1, 0.9)); })
+    return planOfSource(*task.source, task.machine, task.settings, job.part(0.0, 0.9))
         .and_then([&job](const auto& plan) { return withAdvice(plan, job.part(0.9, 1.0)); });
 }
 
