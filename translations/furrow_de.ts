@@ -690,10 +690,6 @@
         <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Zurück zum Plan (Esc)</translation>
-    </message>
-    <message>
         <source>%1 beside</source>
         <translation>%1 neben</translation>
     </message>
@@ -805,10 +801,6 @@
     <message>
         <source>Planned and driven</source>
         <translation>Geplant und gefahren</translation>
-    </message>
-    <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Zurück zum Plan (Esc)</translation>
     </message>
     <message>
         <source>Go to the farthest place</source>
@@ -6214,14 +6206,6 @@
         <source>way straight on</source>
         <translation>Weg geradeaus</translation>
     </message>
-    <message>
-        <source>give a plan and a track of the same field</source>
-        <translation>Plan und Aufzeichnung desselben Schlags angeben</translation>
-    </message>
-    <message>
-        <source>the track does not come to the plan anywhere</source>
-        <translation>die Aufzeichnung kommt nirgends zum Plan</translation>
-    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6570,6 +6554,13 @@
     <message>
         <source>Ctrl K</source>
         <translation>Strg K</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Zurück zum Plan (Esc)</translation>
     </message>
 </context>
 <context>

@@ -690,10 +690,6 @@
         <translation>Comparar</translation>
     </message>
     <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Volver al plan (Esc)</translation>
-    </message>
-    <message>
         <source>%1 beside</source>
         <translation>%1 junto a</translation>
     </message>
@@ -805,10 +801,6 @@
     <message>
         <source>Planned and driven</source>
         <translation>Planificado y recorrido</translation>
-    </message>
-    <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Volver al plan (Esc)</translation>
     </message>
     <message>
         <source>Go to the farthest place</source>
@@ -6214,14 +6206,6 @@
         <source>way straight on</source>
         <translation>tramo recto</translation>
     </message>
-    <message>
-        <source>give a plan and a track of the same field</source>
-        <translation>indique un plan y un recorrido de la misma parcela</translation>
-    </message>
-    <message>
-        <source>the track does not come to the plan anywhere</source>
-        <translation>el recorrido no llega al plan en ningún sitio</translation>
-    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6570,6 +6554,13 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Volver al plan (Esc)</translation>
     </message>
 </context>
 <context>

@@ -690,10 +690,6 @@
         <translation>Comparer</translation>
     </message>
     <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Retour au plan (Échap)</translation>
-    </message>
-    <message>
         <source>%1 beside</source>
         <translation>%1 à côté de</translation>
     </message>
@@ -805,10 +801,6 @@
     <message>
         <source>Planned and driven</source>
         <translation>Prévu et parcouru</translation>
-    </message>
-    <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Retour au plan (Échap)</translation>
     </message>
     <message>
         <source>Go to the farthest place</source>
@@ -6214,14 +6206,6 @@
         <source>way straight on</source>
         <translation>trajet tout droit</translation>
     </message>
-    <message>
-        <source>give a plan and a track of the same field</source>
-        <translation>donnez un plan et un trajet de la même parcelle</translation>
-    </message>
-    <message>
-        <source>the track does not come to the plan anywhere</source>
-        <translation>le trajet ne passe nulle part par le plan</translation>
-    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6570,6 +6554,13 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Retour au plan (Échap)</translation>
     </message>
 </context>
 <context>

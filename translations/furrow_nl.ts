@@ -690,10 +690,6 @@
         <translation>Vergelijken</translation>
     </message>
     <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Terug naar het plan (Esc)</translation>
-    </message>
-    <message>
         <source>%1 beside</source>
         <translation>%1 naast</translation>
     </message>
@@ -805,10 +801,6 @@
     <message>
         <source>Planned and driven</source>
         <translation>Gepland en gereden</translation>
-    </message>
-    <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Terug naar het plan (Esc)</translation>
     </message>
     <message>
         <source>Go to the farthest place</source>
@@ -6214,14 +6206,6 @@
         <source>way straight on</source>
         <translation>weg rechtdoor</translation>
     </message>
-    <message>
-        <source>give a plan and a track of the same field</source>
-        <translation>geef een plan en een rit van hetzelfde perceel</translation>
-    </message>
-    <message>
-        <source>the track does not come to the plan anywhere</source>
-        <translation>de rit komt nergens bij het plan</translation>
-    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6570,6 +6554,13 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Terug naar het plan (Esc)</translation>
     </message>
 </context>
 <context>

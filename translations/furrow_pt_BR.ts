@@ -690,10 +690,6 @@
         <translation>Comparar</translation>
     </message>
     <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Voltar ao plano (Esc)</translation>
-    </message>
-    <message>
         <source>%1 beside</source>
         <translation>%1 ao lado de</translation>
     </message>
@@ -805,10 +801,6 @@
     <message>
         <source>Planned and driven</source>
         <translation>Planejado e percorrido</translation>
-    </message>
-    <message>
-        <source>Back to the plan (Esc)</source>
-        <translation>Voltar ao plano (Esc)</translation>
     </message>
     <message>
         <source>Go to the farthest place</source>
@@ -6214,14 +6206,6 @@
         <source>way straight on</source>
         <translation>trajeto reto</translation>
     </message>
-    <message>
-        <source>give a plan and a track of the same field</source>
-        <translation>indique um plano e um percurso do mesmo talhão</translation>
-    </message>
-    <message>
-        <source>the track does not come to the plan anywhere</source>
-        <translation>o percurso não chega ao plano em lugar nenhum</translation>
-    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6570,6 +6554,13 @@
     <message>
         <source>Ctrl K</source>
         <translation>Ctrl K</translation>
+    </message>
+</context>
+<context>
+    <name>SidePanel</name>
+    <message>
+        <source>Back to the plan (Esc)</source>
+        <translation>Voltar ao plano (Esc)</translation>
     </message>
 </context>
 <context>

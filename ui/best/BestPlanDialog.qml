@@ -63,23 +63,11 @@ ThemedDialog {
             }
         }
     }
-    Item {
+    ProgressLine {
+        objectName: "best.progress"
         width: parent.width
-        height: 6
         visible: root.searching
-
-        Rectangle {
-            anchors.fill: parent
-            radius: 3
-            color: Theme.line
-        }
-        Rectangle {
-            objectName: "best.progress"
-            width: parent.width * root.search.progress
-            height: parent.height
-            radius: 3
-            color: Theme.accent
-        }
+        value: root.search.progress
     }
     Row {
         width: parent.width

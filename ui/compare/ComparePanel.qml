@@ -3,16 +3,16 @@ import QtQuick
 import Furrow.Controls
 
 /// The plan on the map beside another one: all figures, the better one marked, and what was chosen otherwise.
-Rectangle {
+SidePanel {
     id: root
 
     required property PlanComparison comparison
     /// The other plan is on the map, for as long as its button or key is held.
     readonly property bool holding: hold.pressed
-    signal closeRequested()
     signal variantRequested()
 
-    color: Theme.panel
+    title: qsTr("Compare")
+    closeName: "compare.close"
 
     function begin(): void {
         choice.forceActiveFocus();
@@ -30,250 +30,200 @@ Rectangle {
         id: columns
 
         readonly property real first: root.width * 0.31
-        readonly property real value: (root.width - 40 - first) / 2
+        readonly property real value: (root.bodyWidth - first) / 2
     }
-    Shortcut {
-        enabled: root.visible
-        sequences: [StandardKey.Cancel]
-        onActivated: root.closeRequested()
-    }
-    Rectangle {
-        anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
-        width: Theme.hairline
-        color: Theme.line
-    }
-    ScrollArea {
-        anchors { fill: parent; leftMargin: 20; topMargin: 12; bottomMargin: 12 }
-        contentHeight: body.implicitHeight
+    Column {
+        width: parent.width
+        spacing: 5
 
-        Column {
-            id: body
+        Caption {
+            width: parent.width
+            text: qsTr("%1 beside").arg(root.comparison.firstName)
+            elide: Text.ElideRight
+        }
+        ChoiceField {
+            id: choice
 
-            width: root.width - 40
-            spacing: 12
+            objectName: "compare.choice"
+            width: parent.width
+            name: qsTr("The other plan")
+            model: root.comparison.choices
+            chosen: root.comparison.chosen
+            onActivated: index => root.comparison.chosen = index
+        }
+    }
+    SmallButton {
+        x: -6
+        objectName: "compare.variant"
+        text: qsTr("Keep this plan as a variant…")
+        onClicked: root.variantRequested()
+    }
+    BodyText {
+        objectName: "compare.trouble"
+        width: parent.width
+        visible: text.length > 0
+        text: root.comparison.trouble
+        color: Theme.failure
+        wrapMode: Text.WordWrap
+    }
+    Column {
+        width: parent.width
+        spacing: 6
+        visible: root.comparison.busy
+
+        BodyText { text: qsTr("The other plan is being made …") }
+        ProgressLine {
+            width: parent.width
+            value: root.comparison.progress
+        }
+    }
+    Column {
+        width: parent.width
+        visible: root.comparison.ready
+        spacing: 0
+
+        Row {
+            width: parent.width
+            height: 26
+
+            Item { width: columns.first; height: 1 }
+            Caption {
+                width: columns.value
+                text: qsTr("This plan")
+                horizontalAlignment: Text.AlignRight
+                elide: Text.ElideRight
+            }
+            Caption {
+                width: columns.value
+                text: qsTr("The other")
+                horizontalAlignment: Text.AlignRight
+                elide: Text.ElideRight
+            }
+        }
+        Repeater {
+            model: root.comparison.figures
 
             Item {
-                width: parent.width
-                height: 38
+                id: figure
 
-                BodyText {
-                    anchors.verticalCenter: parent.verticalCenter
-                    text: qsTr("Compare")
-                    font.pixelSize: 18
-                    font.weight: Font.DemiBold
-                }
-                ToolIconButton {
-                    objectName: "compare.close"
-                    anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-                    iconName: "close"
-                    hint: qsTr("Back to the plan (Esc)")
-                    hintBelow: true
-                    onClicked: root.closeRequested()
-                }
-            }
-            Column {
-                width: parent.width
-                spacing: 5
+                required property var modelData
+                required property int index
 
-                Caption {
-                    width: parent.width
-                    text: qsTr("%1 beside").arg(root.comparison.firstName)
-                    elide: Text.ElideRight
-                }
-                ChoiceField {
-                    id: choice
+                objectName: "compare.figure." + index
+                width: root.bodyWidth
+                height: Math.max(difference.visible ? 40 : 30, label.implicitHeight + 8)
+                Accessible.role: Accessible.Row
+                Accessible.name: qsTr("%1: %2, the other %3").arg(modelData.label).arg(modelData.first).arg(modelData.second)
 
-                    objectName: "compare.choice"
-                    width: parent.width
-                    name: qsTr("The other plan")
-                    model: root.comparison.choices
-                    chosen: root.comparison.chosen
-                    onActivated: index => root.comparison.chosen = index
-                }
-            }
-            SmallButton {
-                x: -6
-                objectName: "compare.variant"
-                text: qsTr("Keep this plan as a variant…")
-                onClicked: root.variantRequested()
-            }
-            BodyText {
-                objectName: "compare.trouble"
-                width: parent.width
-                visible: text.length > 0
-                text: root.comparison.trouble
-                color: Theme.failure
-                wrapMode: Text.WordWrap
-            }
-            Column {
-                width: parent.width
-                spacing: 6
-                visible: root.comparison.busy
-
-                BodyText { text: qsTr("The other plan is being made …") }
                 Rectangle {
                     width: parent.width
-                    height: 6
-                    radius: 3
+                    height: Theme.hairline
                     color: Theme.line
-
-                    Rectangle {
-                        width: parent.width * root.comparison.progress
-                        height: parent.height
-                        radius: 3
-                        color: Theme.accent
-                    }
                 }
-            }
-            Column {
-                width: parent.width
-                visible: root.comparison.ready
-                spacing: 0
-
-                Row {
-                    width: parent.width
-                    height: 26
-
-                    Item { width: columns.first; height: 1 }
-                    Caption {
-                        width: columns.value
-                        text: qsTr("This plan")
-                        horizontalAlignment: Text.AlignRight
-                        elide: Text.ElideRight
-                    }
-                    Caption {
-                        width: columns.value
-                        text: qsTr("The other")
-                        horizontalAlignment: Text.AlignRight
-                        elide: Text.ElideRight
-                    }
-                }
-                Repeater {
-                    model: root.comparison.figures
-
-                    Item {
-                        id: figure
-
-                        required property var modelData
-                        required property int index
-
-                        objectName: "compare.figure." + index
-                        width: body.width
-                        height: Math.max(difference.visible ? 40 : 30, label.implicitHeight + 8)
-                        Accessible.role: Accessible.Row
-                        Accessible.name: qsTr("%1: %2, the other %3").arg(modelData.label).arg(modelData.first).arg(modelData.second)
-
-                        Rectangle {
-                            width: parent.width
-                            height: Theme.hairline
-                            color: Theme.line
-                        }
-                        BodyText {
-                            id: label
-
-                            anchors.verticalCenter: parent.verticalCenter
-                            width: columns.first - 6
-                            text: figure.modelData.label
-                            color: Theme.muted
-                            wrapMode: Text.WordWrap
-                        }
-                        Cell {
-                            anchors.verticalCenter: parent.verticalCenter
-                            x: columns.first
-                            width: columns.value
-                            text: figure.modelData.better < 0 ? "✓ " + figure.modelData.first : figure.modelData.first
-                            better: figure.modelData.better < 0
-                        }
-                        Cell {
-                            anchors.verticalCenter: parent.verticalCenter
-                            anchors.verticalCenterOffset: difference.visible ? -7 : 0
-                            x: columns.first + columns.value
-                            width: columns.value
-                            text: figure.modelData.better > 0 ? "✓ " + figure.modelData.second : figure.modelData.second
-                            better: figure.modelData.better > 0
-                        }
-                        Caption {
-                            id: difference
-
-                            anchors { right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: 9 }
-                            visible: text.length > 0
-                            text: figure.modelData.difference
-                        }
-                    }
-                }
-            }
-            Column {
-                width: parent.width
-                visible: root.comparison.ready
-                spacing: 6
-
                 BodyText {
-                    objectName: "compare.swaths"
-                    width: parent.width
-                    text: root.comparison.swathsText
+                    id: label
+
+                    anchors.verticalCenter: parent.verticalCenter
+                    width: columns.first - 6
+                    text: figure.modelData.label
+                    color: Theme.muted
                     wrapMode: Text.WordWrap
+                }
+                Cell {
+                    anchors.verticalCenter: parent.verticalCenter
+                    x: columns.first
+                    width: columns.value
+                    text: figure.modelData.better < 0 ? "✓ " + figure.modelData.first : figure.modelData.first
+                    better: figure.modelData.better < 0
+                }
+                Cell {
+                    anchors.verticalCenter: parent.verticalCenter
+                    anchors.verticalCenterOffset: difference.visible ? -7 : 0
+                    x: columns.first + columns.value
+                    width: columns.value
+                    text: figure.modelData.better > 0 ? "✓ " + figure.modelData.second : figure.modelData.second
+                    better: figure.modelData.better > 0
                 }
                 Caption {
+                    id: difference
+
+                    anchors { right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: 9 }
+                    visible: text.length > 0
+                    text: figure.modelData.difference
+                }
+            }
+        }
+    }
+    Column {
+        width: parent.width
+        visible: root.comparison.ready
+        spacing: 6
+
+        BodyText {
+            objectName: "compare.swaths"
+            width: parent.width
+            text: root.comparison.swathsText
+            wrapMode: Text.WordWrap
+        }
+        Caption {
+            width: parent.width
+            text: qsTr("On the map: full lines only in this plan, dashes only in the other.")
+            wrapMode: Text.WordWrap
+        }
+        PushButton {
+            id: hold
+
+            objectName: "compare.hold"
+            width: parent.width
+            text: qsTr("Hold to see the other plan (key X)")
+        }
+    }
+    Column {
+        width: parent.width
+        visible: root.comparison.ready
+        spacing: 8
+
+        BodyText {
+            text: qsTr("What was chosen otherwise")
+            font.pixelSize: Theme.titleSize
+            font.weight: Font.DemiBold
+        }
+        BodyText {
+            visible: root.comparison.settings.length === 0
+            text: qsTr("Machine and settings are the same.")
+            color: Theme.muted
+        }
+        Repeater {
+            model: root.comparison.settings
+
+            Column {
+                id: setting
+
+                required property var modelData
+
+                width: root.bodyWidth
+                spacing: 1
+
+                Caption {
                     width: parent.width
-                    text: qsTr("On the map: full lines only in this plan, dashes only in the other.")
+                    text: setting.modelData.label
                     wrapMode: Text.WordWrap
                 }
-                PushButton {
-                    id: hold
-
-                    objectName: "compare.hold"
+                BodyText {
                     width: parent.width
-                    text: qsTr("Hold to see the other plan (key X)")
+                    text: qsTr("%1 → %2").arg(setting.modelData.first).arg(setting.modelData.second)
+                    wrapMode: Text.Wrap
+                    maximumLineCount: 4
+                    elide: Text.ElideRight
                 }
             }
-            Column {
-                width: parent.width
-                visible: root.comparison.ready
-                spacing: 8
-
-                BodyText {
-                    text: qsTr("What was chosen otherwise")
-                    font.pixelSize: Theme.titleSize
-                    font.weight: Font.DemiBold
-                }
-                BodyText {
-                    visible: root.comparison.settings.length === 0
-                    text: qsTr("Machine and settings are the same.")
-                    color: Theme.muted
-                }
-                Repeater {
-                    model: root.comparison.settings
-
-                    Column {
-                        id: setting
-
-                        required property var modelData
-
-                        width: body.width
-                        spacing: 1
-
-                        Caption {
-                            width: parent.width
-                            text: setting.modelData.label
-                            wrapMode: Text.WordWrap
-                        }
-                        BodyText {
-                            width: parent.width
-                            text: qsTr("%1 → %2").arg(setting.modelData.first).arg(setting.modelData.second)
-                            wrapMode: Text.Wrap
-                            maximumLineCount: 4
-                            elide: Text.ElideRight
-                        }
-                    }
-                }
-                PushButton {
-                    objectName: "compare.take"
-                    width: parent.width
-                    text: qsTr("Go on with the other plan")
-                    primary: true
-                    onClicked: root.comparison.takeSecond()
-                }
-            }
+        }
+        PushButton {
+            objectName: "compare.take"
+            width: parent.width
+            text: qsTr("Go on with the other plan")
+            primary: true
+            onClicked: root.comparison.takeSecond()
         }
     }
 }

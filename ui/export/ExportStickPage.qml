@@ -169,19 +169,10 @@ Column {
             enabled: !root.writing
         }
     }
-    Rectangle {
+    ProgressLine {
         width: parent.width
-        height: 6
-        radius: 3
         visible: root.writing
-        color: Theme.sunken
-
-        Rectangle {
-            width: parent.width * root.stick.progress
-            height: parent.height
-            radius: 3
-            color: Theme.accent
-        }
+        value: root.stick.progress
     }
     NoticeBar {
         objectName: "stick.problem"

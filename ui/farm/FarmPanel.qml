@@ -239,19 +239,10 @@ Rectangle {
                 Accessible.role: Accessible.StaticText
                 Accessible.name: text
             }
-            Rectangle {
+            ProgressLine {
                 anchors { left: parent.left; right: stop.left; rightMargin: 12; bottom: parent.bottom; bottomMargin: 8 }
                 visible: root.plans.busy
-                height: 6
-                radius: 3
-                color: Theme.line
-
-                Rectangle {
-                    width: parent.width * root.plans.progress
-                    height: parent.height
-                    radius: 3
-                    color: Theme.accent
-                }
+                value: root.plans.progress
             }
             PushButton {
                 id: stop

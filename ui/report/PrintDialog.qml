@@ -186,20 +186,11 @@ T.Popup {
                 text: root.printing.message
                 remedy: root.printing.remedy
             }
-            Rectangle {
+            ProgressLine {
+                objectName: "print.progress"
                 anchors { left: parent.left; right: row.left; rightMargin: 16; verticalCenter: row.verticalCenter }
-                height: 6
-                radius: 3
                 visible: root.busy
-                color: Theme.line
-
-                Rectangle {
-                    objectName: "print.progress"
-                    width: parent.width * root.printing.progress
-                    height: parent.height
-                    radius: 3
-                    color: Theme.accent
-                }
+                value: root.printing.progress
             }
             Row {
                 id: row
