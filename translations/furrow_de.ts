@@ -503,6 +503,26 @@
         <source>driven recorded GPX NMEA log cross-track error compare</source>
         <translation>gefahren aufgezeichnet GPX NMEA Spurabweichung vergleichen</translation>
     </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Was die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Größe von allem</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Ebene: Nummern der Spuren</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -597,15 +617,15 @@
         <translation>Vorheriger Schritt</translation>
     </message>
     <message>
-        <source>Show the cells</source>
+        <source>Show the blocks</source>
         <translation>Teilflächen zeigen</translation>
     </message>
     <message>
-        <source>Step of the cells</source>
+        <source>Step of the blocks</source>
         <translation>Schritt der Teilflächen</translation>
     </message>
     <message>
-        <source>Turns and ways from cell to cell, estimated.</source>
+        <source>Turns and ways from block to block, estimated.</source>
         <translation>Wendungen und Wege von Teilfläche zu Teilfläche, geschätzt.</translation>
     </message>
 </context>
@@ -868,10 +888,10 @@
         <translation>Ein anderes Format oder Terminal wählen und dies melden.</translation>
     </message>
     <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>Die Dateien wurden auf %n Art von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
-            <numerusform>Die Dateien wurden auf %n Arten von Fehlern durchgesehen, über die Empfänger stolpern; es gibt keinen.</numerusform>
+            <numerusform>%n Prüfung bestanden: nichts in den Dateien, worüber Terminals stolpern.</numerusform>
+            <numerusform>%n Prüfungen bestanden: nichts in den Dateien, worüber Terminals stolpern.</numerusform>
         </translation>
     </message>
 </context>
@@ -1176,6 +1196,10 @@
         <source>Apply: %1</source>
         <translation>Anwenden: %1</translation>
     </message>
+    <message>
+        <source>For information</source>
+        <translation>Zur Kenntnis</translation>
+    </message>
 </context>
 <context>
     <name>HeadingChart</name>
@@ -1327,10 +1351,6 @@
         <translation>Leitlinie</translation>
     </message>
     <message>
-        <source>Several moves</source>
-        <translation>Mehrere Züge</translation>
-    </message>
-    <message>
         <source>Point %1 of the %2</source>
         <translation>Punkt %1 (%2)</translation>
     </message>
@@ -1423,10 +1443,6 @@
         <translation>Spur %1</translation>
     </message>
     <message>
-        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
-        <translation>Sie wird als Nummer %1 von %2 bearbeitet, %3 lang, in %4.</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -1467,11 +1483,11 @@
         <translation>So ist es nicht fahrbar: %1.</translation>
     </message>
     <message>
-        <source>Cell %1</source>
+        <source>Block %1</source>
         <translation>Teilfläche %1</translation>
     </message>
     <message numerus="yes">
-        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
             <numerusform>Ein Stück der Innenfläche mit %n Spur.</numerusform>
             <numerusform>Ein Stück der Innenfläche, dessen %n Spuren zusammen gefahren werden.</numerusform>
@@ -1510,15 +1526,11 @@
         <translation>Sie gehört nicht zum Schlag. Sie selbst, ihre Punkte oder Kanten ziehen.</translation>
     </message>
     <message>
-        <source>Finding %1</source>
-        <translation>Hinweis %1</translation>
-    </message>
-    <message>
         <source>split line</source>
         <translation>Teilungslinie</translation>
     </message>
     <message>
-        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <source>The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
         <translation>Die Innenfläche wird an ihr geteilt, wo sie ganz hindurchgeht. Die Linie oder ihre Punkte ziehen oder sie löschen.</translation>
     </message>
     <message>
@@ -1528,6 +1540,14 @@
     <message>
         <source>%1 with the implement folded, in %2.</source>
         <translation>%1 mit eingeklapptem Gerät, in %2.</translation>
+    </message>
+    <message>
+        <source>Whole turn</source>
+        <translation>Ganze Wendung</translation>
+    </message>
+    <message>
+        <source>Driven as number %1 of %2: %3 in %4.</source>
+        <translation>Gefahren als Nummer %1 von %2: %3 in %4.</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1693,10 @@
     <message>
         <source>Wheel passes</source>
         <translation>Überfahrten</translation>
+    </message>
+    <message>
+        <source>Swath numbers</source>
+        <translation>Nummern der Spuren</translation>
     </message>
 </context>
 <context>
@@ -2034,7 +2058,7 @@
     </message>
     <message>
         <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
-        <translation>%1 führt von einem Teil des Feldes in einen anderen, den diese Maschine nicht erreicht.</translation>
+        <translation>%1 führt von einem Teil des Schlags in einen anderen, den diese Maschine nicht erreicht.</translation>
     </message>
     <message>
         <source>%1 leaves the field by %2.</source>
@@ -2271,7 +2295,7 @@
         <translation>Nach einer Seite ausgebaucht und gerade zurück; für Spuren, die näher als zwei Wenderadien liegen.</translation>
     </message>
     <message>
-        <source>A cell gets a heading of its own where that saves time.</source>
+        <source>A block gets a heading of its own where that saves time.</source>
         <translation>Eine Teilfläche erhält eine eigene Fahrtrichtung, wo das Zeit spart.</translation>
     </message>
     <message>
@@ -2319,7 +2343,7 @@
         <translation>Quer zum Hang: neben einer Höhenlinie, und einer neuen, wo das nicht mehr passt.</translation>
     </message>
     <message>
-        <source>After the mainland</source>
+        <source>After the swaths</source>
         <translation>Nach der Innenfläche</translation>
     </message>
     <message>
@@ -2355,7 +2379,7 @@
         <translation>Alle Spuren entlang der ausgewählten Kante der Feldgrenze.</translation>
     </message>
     <message>
-        <source>All swaths along the longest straight edge of the mainland.</source>
+        <source>All swaths along the longest straight edge inside the headland.</source>
         <translation>Alle Spuren entlang der längsten geraden Kante der Innenfläche.</translation>
     </message>
     <message>
@@ -2443,7 +2467,7 @@
         <translation>Am Anfang der ersten Spur.</translation>
     </message>
     <message>
-        <source>Before the mainland</source>
+        <source>Before the swaths</source>
         <translation>Vor der Innenfläche</translation>
     </message>
     <message>
@@ -2519,11 +2543,11 @@
         <translation>Feldgrenze, Hindernisse, Zufahrten, Vorgewende, Spuren, Fahrweg und Hinweise; für Karten und Programme.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path as layers for a GIS.</source>
         <translation>Feldgrenze, Hindernisse, Zufahrten, Innenfläche, Spuren und Fahrweg als Ebenen für ein GIS.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path, a shapefile of each.</source>
         <translation>Feldgrenze, Hindernisse, Zufahrten, Innenfläche, Spuren und Fahrweg, je ein Shapefile.</translation>
     </message>
     <message>
@@ -2547,7 +2571,7 @@
         <translation>Vom Schlepper getragen oder an einer Anhängung gezogen mit eigener Spur.</translation>
     </message>
     <message>
-        <source>Cells</source>
+        <source>Blocks</source>
         <translation>Teilflächen</translation>
     </message>
     <message>
@@ -2755,7 +2779,7 @@
         <translation>Von außen nach innen</translation>
     </message>
     <message>
-        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <source>From the boundary inwards; holds as many passes as fit.</source>
         <translation>Von der Feldgrenze bis zur Innenfläche; fasst so viele Spuren, wie hineinpassen.</translation>
     </message>
     <message>
@@ -2816,15 +2840,15 @@
     </message>
     <message>
         <source>Great Field</source>
-        <translation>Großes Feld</translation>
+        <translation>Großer Schlag</translation>
     </message>
     <message>
         <source>Half way in</source>
         <translation>Auf halber Breite</translation>
     </message>
     <message>
-        <source>Halving the step</source>
-        <translation>Schritt halbieren</translation>
+        <source>Quick search</source>
+        <translation>Schnelle Suche</translation>
     </message>
     <message>
         <source>Harvest</source>
@@ -2887,7 +2911,7 @@
         <translation>Wie die Maschine von einer Spur zur nächsten kommt.</translation>
     </message>
     <message>
-        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <source>How the field is divided; the swaths of a block are driven together.</source>
         <translation>Wie die Innenfläche geteilt wird; die Spuren einer Teilfläche werden zusammen gefahren.</translation>
     </message>
     <message>
@@ -2971,7 +2995,7 @@
         <translation>Linie</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
         <translation>Linien in WGS84, an denen die Innenfläche geteilt wird; sie gehen ganz hindurch oder enden höchstens eine Arbeitsbreite vor ihrem Rand.</translation>
     </message>
     <message>
@@ -3152,7 +3176,7 @@
     </message>
     <message>
         <source>Plan the parts of the field apart, or widen the passage between them.</source>
-        <translation>Die Teile des Feldes einzeln planen oder den Durchlass zwischen ihnen verbreitern.</translation>
+        <translation>Die Teile des Schlags einzeln planen oder den Durchlass zwischen ihnen verbreitern.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>
@@ -3180,7 +3204,7 @@
     </message>
     <message>
         <source>Raised width</source>
-        <translation>Breite ausgehoben</translation>
+        <translation>Breite beim Wenden</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -3304,7 +3328,7 @@
     </message>
     <message>
         <source>Slanted Field</source>
-        <translation>Schräges Feld</translation>
+        <translation>Schräger Schlag</translation>
     </message>
     <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
@@ -3395,7 +3419,7 @@
         <translation>Gerader Weg, der vor dem Absenken nötig ist.</translation>
     </message>
     <message>
-        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <source>Swath after swath over all of the field, whatever cuts them.</source>
         <translation>Spur nach Spur über die ganze Innenfläche, was auch immer sie schneidet.</translation>
     </message>
     <message>
@@ -3407,7 +3431,7 @@
         <translation>Spuren</translation>
     </message>
     <message>
-        <source>Swaths go on from cell to cell.</source>
+        <source>Swaths go on from block to block.</source>
         <translation>Spuren laufen von Teilfläche zu Teilfläche weiter.</translation>
     </message>
     <message>
@@ -3495,7 +3519,7 @@
         <translation>Die Anhängung knickt bei %2 um %1; erlaubt sind %3.</translation>
     </message>
     <message>
-        <source>The largest covered share of the mainland.</source>
+        <source>The largest covered share inside the headland.</source>
         <translation>Der größte bearbeitete Anteil der Innenfläche.</translation>
     </message>
     <message>
@@ -3539,7 +3563,7 @@
         <translation>Zuerst die Spur an der Feldgrenze.</translation>
     </message>
     <message>
-        <source>The pass along the mainland first.</source>
+        <source>The innermost pass first.</source>
         <translation>Zuerst die Spur an der Innenfläche.</translation>
     </message>
     <message>
@@ -3755,7 +3779,7 @@
         <translation>Wege bleiben auf dem Vorgewende; Bestand und Saatbett werden nicht überfahren.</translation>
     </message>
     <message>
-        <source>Ways may cross the mainland.</source>
+        <source>Ways may cross worked land.</source>
         <translation>Wege dürfen die Innenfläche queren.</translation>
     </message>
     <message>
@@ -3815,15 +3839,15 @@
         <translation>Wo die Maschine von Spur zu Spur fahren darf; folgt aus dem Arbeitsgang.</translation>
     </message>
     <message>
-        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
-        <translation>Wo die Mitte der Spur auf den Rand der Innenfläche trifft.</translation>
+        <source>Where the middle of the swath meets the headland.</source>
+        <translation>Wo die Mitte der Spur auf das Vorgewende trifft.</translation>
     </message>
     <message>
         <source>Where tramlines are counted from.</source>
         <translation>Von wo die Fahrgassen gezählt werden.</translation>
     </message>
     <message>
-        <source>Whether cells have a heading of their own.</source>
+        <source>Whether blocks have a heading of their own.</source>
         <translation>Ob Teilflächen eine eigene Fahrtrichtung haben.</translation>
     </message>
     <message>
@@ -3844,19 +3868,15 @@
     </message>
     <message>
         <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
-        <translation>Breite, wenn für die Straße geklappt, durch Zufahrten und auf Wegen hinein und hinaus; ohne Angabe die Breite im ausgehobenen Zustand.</translation>
+        <translation>Breite, wenn für die Straße geklappt, durch Zufahrten und auf Wegen hinein und hinaus; ohne Angabe die Breite beim Wenden.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
-        <translation>Breite, während für eine Wendung ausgehoben oder geklappt ist; die Arbeitsbreite, wo sie nicht angegeben ist.</translation>
+        <translation>Breite beim Wenden, ausgehoben oder geklappt; ohne Angabe die Arbeitsbreite.</translation>
     </message>
     <message>
         <source>Width worked in one pass.</source>
         <translation>Breite, die in einer Spur bearbeitet wird.</translation>
-    </message>
-    <message>
-        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
-        <translation>Mit ausgehobenem Gerät werden %1 über bearbeitetes Land gefahren und %2 über solches, das später bearbeitet wird; am längsten ist %3.</translation>
     </message>
     <message>
         <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
@@ -3875,7 +3895,7 @@
         <translation>Arbeitsgeschwindigkeit</translation>
     </message>
     <message>
-        <source>Working the soil: the mainland may be crossed.</source>
+        <source>Working the soil: worked land may be driven over.</source>
         <translation>Bodenbearbeitung: die Innenfläche darf gequert werden.</translation>
     </message>
     <message>
@@ -4651,7 +4671,7 @@
         <translation>kein Pixel des Bildes ist bearbeitet</translation>
     </message>
     <message>
-        <source>no swath fits into the mainland</source>
+        <source>no swath fits inside the headland</source>
         <translation>in die Innenfläche passt keine Spur</translation>
     </message>
     <message>
@@ -5619,11 +5639,11 @@
         <translation>Was eine Maschine gefahren ist.</translation>
     </message>
     <message>
-        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>Teilungslinie %1 endet %2 vor dem Rand der Innenfläche und trennt dort nichts ab (decomposition.split); ziehen Sie sie ganz hindurch</translation>
+        <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>Teilungslinie %1 endet %2 vor dem Vorgewende und trennt dort nichts ab (decomposition.split); ziehen Sie sie ganz hindurch</translation>
     </message>
     <message>
-        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
         <translation>Teilungslinie %1 liegt außerhalb der Innenfläche und teilt nichts (decomposition.split)</translation>
     </message>
     <message numerus="yes">
@@ -5689,7 +5709,7 @@
         </translation>
     </message>
     <message>
-        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
         <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zur Innenfläche</translation>
     </message>
     <message>
@@ -5797,7 +5817,7 @@
         <translation>eine kleinere Maschine oder einen kleineren Randabstand wählen (%1)</translation>
     </message>
     <message>
-        <source>no row is left in the mainland</source>
+        <source>no row is left inside the headland</source>
         <translation>in der Innenfläche bleibt keine Reihe übrig</translation>
     </message>
     <message>
@@ -5805,7 +5825,7 @@
         <translation>weniger Reihen auslassen</translation>
     </message>
     <message>
-        <source>no row lies in the mainland</source>
+        <source>no row lies inside the headland</source>
         <translation>in der Innenfläche liegt keine Reihe</translation>
     </message>
     <message>
@@ -5905,7 +5925,7 @@
         <translation>Enden der Spuren</translation>
     </message>
     <message>
-        <source>Heading of cells</source>
+        <source>Heading of blocks</source>
         <translation>Fahrtrichtung der Teilflächen</translation>
     </message>
     <message>
@@ -5966,7 +5986,7 @@
     </message>
     <message>
         <source>%1 are driven outside of the field</source>
-        <translation>%1 werden außerhalb des Feldes befahren</translation>
+        <translation>%1 werden außerhalb des Schlags überfahren</translation>
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
@@ -6018,14 +6038,14 @@
     </message>
     <message>
         <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
-        <translation>%1: das Feld ist zu schmal für die %2, die eine Wendung dieser Maschine braucht.</translation>
+        <translation>%1: der Schlag ist zu schmal für die %2, die eine Wendung dieser Maschine braucht.</translation>
     </message>
     <message>
         <source>%1; the machine keeps %2 from its edge at least.</source>
         <translation>%1; die Maschine bleibt mindestens %2 von seinem Rand.</translation>
     </message>
     <message numerus="yes">
-        <source>%n cells</source>
+        <source>%n blocks</source>
         <translation>
             <numerusform>%n Teilfläche</numerusform>
             <numerusform>%n Teilflächen</numerusform>
@@ -6100,19 +6120,19 @@
         <translation>Keine Reihenfolge dieser Spuren ist besser; das ist bewiesen.</translation>
     </message>
     <message>
-        <source>Nothing divides the swaths: one cell.</source>
+        <source>Nothing divides the swaths: one block.</source>
         <translation>Nichts teilt die Spuren: eine Teilfläche.</translation>
     </message>
     <message>
         <source>Nothing stands outside of the field</source>
-        <translation>Nichts steht außerhalb des Feldes</translation>
+        <translation>Nichts steht außerhalb des Schlags</translation>
     </message>
     <message>
         <source>One pass all round works the whole field.</source>
-        <translation>Eine Runde bearbeitet das ganze Feld.</translation>
+        <translation>Eine Runde bearbeitet den ganzen Schlag.</translation>
     </message>
     <message numerus="yes">
-        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
         <translation>
             <numerusform>Ecken oder Hindernisse unterbrechen die Spuren: %n Teilfläche.</numerusform>
             <numerusform>Ecken oder Hindernisse unterbrechen die Spuren: %n Teilflächen.</numerusform>
@@ -6206,6 +6226,10 @@
         <source>way straight on</source>
         <translation>Weg geradeaus</translation>
     </message>
+    <message>
+        <source>%1 are driven over the field with the implement up; longest: %2.</source>
+        <translation>%1 werden mit ausgehobenem Gerät über das Feld gefahren; am längsten: %2.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6218,8 +6242,8 @@
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>As the computer</source>
-        <translation>Wie der Computer</translation>
+        <source>Same as this computer</source>
+        <translation>Wie auf diesem Computer</translation>
     </message>
     <message>
         <source>Units</source>
@@ -6235,7 +6259,7 @@
     </message>
     <message>
         <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
-        <translation>Felder nehmen beides: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Dateien enthalten immer Meter.</translation>
+        <translation>Eingabefelder verstehen beides: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Dateien enthalten immer Meter.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6699,6 +6723,14 @@
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Hide the steps</source>
+        <translation>Schritte ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Schritte einblenden</translation>
     </message>
 </context>
 <context>
@@ -7248,7 +7280,7 @@
     </message>
     <message>
         <source>Field</source>
-        <translation>Feld</translation>
+        <translation>Schlag</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -7293,7 +7325,7 @@
 <context>
     <name>furrow::CellSteps</name>
     <message numerus="yes">
-        <source>%n cell(s), %1</source>
+        <source>%n block(s), %1</source>
         <translation>
             <numerusform>%n Teilfläche, %1</numerusform>
             <numerusform>%n Teilflächen, %1</numerusform>
@@ -7320,11 +7352,11 @@
         <translation>Wie geteilt.</translation>
     </message>
     <message>
-        <source>The two marked cells become one: that saves %1.</source>
+        <source>The two marked blocks become one: that saves %1.</source>
         <translation>Die zwei markierten Teilflächen werden eine: das spart %1.</translation>
     </message>
     <message>
-        <source>Cells in which no swath lies go to their neighbours.</source>
+        <source>Blocks in which no swath lies go to their neighbours.</source>
         <translation>Teilflächen, in denen keine Spur liegt, kommen zu ihren Nachbarn.</translation>
     </message>
 </context>
@@ -7815,7 +7847,7 @@
         <translation>Des Schlags, ohne Aussparungen und Hindernisse</translation>
     </message>
     <message>
-        <source>Mainland</source>
+        <source>Inside the headland</source>
         <translation>Innenfläche</translation>
     </message>
     <message>
@@ -7861,6 +7893,26 @@
     <message>
         <source>Share of the field that is worked twice</source>
         <translation>Anteil des Schlags, der doppelt bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Land that is not worked</source>
+        <translation>Land, das nicht bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached by the implement, mostly in corners; %2 could be.</source>
+        <translation>%1 erreicht das Gerät nicht, meist in Ecken; %2 könnte es erreichen.</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Außerhalb des Felds</translation>
+    </message>
+    <message>
+        <source>Ground outside that the machine or its implement drives over</source>
+        <translation>Boden außerhalb, über den Maschine oder Gerät fahren</translation>
     </message>
 </context>
 <context>
@@ -8400,7 +8452,7 @@
     <name>furrow::ReviewModel</name>
     <message>
         <source>Only a finished plan of what the panels show can be sent.</source>
-        <translation>Nur ein fertiger Plan dessen, was die Felder zeigen, kann verschickt werden.</translation>
+        <translation>Nur ein fertiger Plan dessen, was die Schritte zeigen, kann verschickt werden.</translation>
     </message>
     <message>
         <source>Approved: %1</source>
@@ -8485,7 +8537,7 @@
 <context>
     <name>furrow::StepsModel</name>
     <message>
-        <source>mainland %1</source>
+        <source>%1 inside</source>
         <translation>Innenfläche %1</translation>
     </message>
     <message numerus="yes">
@@ -8496,7 +8548,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n cell(s)</source>
+        <source>%n block(s)</source>
         <translation>
             <numerusform>%n Teilfläche</numerusform>
             <numerusform>%n Teilflächen</numerusform>
@@ -8626,6 +8678,22 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>To a stick, to files or on paper</source>
+        <translation>Auf Stick, als Dateien oder auf Papier</translation>
+    </message>
+    <message>
+        <source>No plan to export yet</source>
+        <translation>Noch kein Plan zum Exportieren</translation>
+    </message>
+    <message>
+        <source>Waits for the finished plan</source>
+        <translation>Wartet auf den fertigen Plan</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
     </message>
 </context>
 <context>

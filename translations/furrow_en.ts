@@ -24,10 +24,10 @@
 <context>
     <name>ExportChecks</name>
     <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>The files were looked through for %n kind of mistakes that receivers stumble over; there is none.</numerusform>
-            <numerusform>The files were looked through for %n kinds of mistakes that receivers stumble over; there is none.</numerusform>
+            <numerusform>%n check passed: nothing in the files that receivers stumble over.</numerusform>
+            <numerusform>%n checks passed: nothing in the files that receivers stumble over.</numerusform>
         </translation>
     </message>
 </context>
@@ -74,7 +74,7 @@
 <context>
     <name>Inspector</name>
     <message numerus="yes">
-        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
             <numerusform>A piece of the mainland with %n swath.</numerusform>
             <numerusform>A piece of the mainland whose %n swaths are driven together.</numerusform>
@@ -152,7 +152,7 @@
 <context>
     <name>furrow::CellSteps</name>
     <message numerus="yes">
-        <source>%n cell(s), %1</source>
+        <source>%n block(s), %1</source>
         <translation>
             <numerusform>%n cell, %1</numerusform>
             <numerusform>%n cells, %1</numerusform>
@@ -325,7 +325,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n cell(s)</source>
+        <source>%n block(s)</source>
         <translation>
             <numerusform>%n cell</numerusform>
             <numerusform>%n cells</numerusform>

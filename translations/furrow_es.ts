@@ -503,6 +503,26 @@
         <source>driven recorded GPX NMEA log cross-track error compare</source>
         <translation>recorrido grabado GPX NMEA desviación comparar</translation>
     </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Lo que muestra el mapa</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Tamaño de todo</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Capa: números de las pasadas</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -597,15 +617,15 @@
         <translation>Paso anterior</translation>
     </message>
     <message>
-        <source>Show the cells</source>
+        <source>Show the blocks</source>
         <translation>Mostrar las subparcelas</translation>
     </message>
     <message>
-        <source>Step of the cells</source>
+        <source>Step of the blocks</source>
         <translation>Paso de las subparcelas</translation>
     </message>
     <message>
-        <source>Turns and ways from cell to cell, estimated.</source>
+        <source>Turns and ways from block to block, estimated.</source>
         <translation>Giros y trayectos de una subparcela a otra, estimados.</translation>
     </message>
 </context>
@@ -868,10 +888,10 @@
         <translation>Elija otro formato o terminal e informe de esto.</translation>
     </message>
     <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>Se ha buscado en los archivos %n tipo de error con el que tropiezan los receptores; no hay ninguno.</numerusform>
-            <numerusform>Se han buscado en los archivos %n tipos de errores con los que tropiezan los receptores; no hay ninguno.</numerusform>
+            <numerusform>%n comprobación superada: nada en los archivos en lo que tropiecen los terminales.</numerusform>
+            <numerusform>%n comprobaciones superadas: nada en los archivos en lo que tropiecen los terminales.</numerusform>
         </translation>
     </message>
 </context>
@@ -1176,6 +1196,10 @@
         <source>Apply: %1</source>
         <translation>Aplicar: %1</translation>
     </message>
+    <message>
+        <source>For information</source>
+        <translation>Para su información</translation>
+    </message>
 </context>
 <context>
     <name>HeadingChart</name>
@@ -1327,10 +1351,6 @@
         <translation>línea de guiado</translation>
     </message>
     <message>
-        <source>Several moves</source>
-        <translation>Varias maniobras</translation>
-    </message>
-    <message>
         <source>Point %1 of the %2</source>
         <translation>Punto %1 (%2)</translation>
     </message>
@@ -1423,10 +1443,6 @@
         <translation>Pasada %1</translation>
     </message>
     <message>
-        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
-        <translation>Se trabaja como número %1 de %2, %3 de largo, en %4.</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Ancho</translation>
     </message>
@@ -1467,11 +1483,11 @@
         <translation>Así no se puede recorrer: %1.</translation>
     </message>
     <message>
-        <source>Cell %1</source>
+        <source>Block %1</source>
         <translation>Subparcela %1</translation>
     </message>
     <message numerus="yes">
-        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
             <numerusform>Un trozo del interior de la parcela con %n pasada.</numerusform>
             <numerusform>Un trozo del interior de la parcela cuyas %n pasadas se hacen juntas.</numerusform>
@@ -1510,15 +1526,11 @@
         <translation>No forma parte de la parcela. Arrástrelo, o sus puntos y lados.</translation>
     </message>
     <message>
-        <source>Finding %1</source>
-        <translation>Aviso %1</translation>
-    </message>
-    <message>
         <source>split line</source>
         <translation>línea de división</translation>
     </message>
     <message>
-        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <source>The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
         <translation>El interior se divide por ella donde lo atraviesa por completo. Arrastre la línea o sus puntos, o elimínela.</translation>
     </message>
     <message>
@@ -1528,6 +1540,14 @@
     <message>
         <source>%1 with the implement folded, in %2.</source>
         <translation>%1 con el apero plegado, en %2.</translation>
+    </message>
+    <message>
+        <source>Whole turn</source>
+        <translation>Giro completo</translation>
+    </message>
+    <message>
+        <source>Driven as number %1 of %2: %3 in %4.</source>
+        <translation>Se recorre con el número %1 de %2: %3 en %4.</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1693,10 @@
     <message>
         <source>Wheel passes</source>
         <translation>Pasos de rueda</translation>
+    </message>
+    <message>
+        <source>Swath numbers</source>
+        <translation>Números de las pasadas</translation>
     </message>
 </context>
 <context>
@@ -2034,7 +2058,7 @@
     </message>
     <message>
         <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
-        <translation>%1 lleva de una parte del campo a otra a la que esta máquina no puede llegar.</translation>
+        <translation>%1 lleva de una parte de la parcela a otra a la que esta máquina no puede llegar.</translation>
     </message>
     <message>
         <source>%1 leaves the field by %2.</source>
@@ -2271,7 +2295,7 @@
         <translation>Abombado a un lado y vuelta recta; para pasadas a menos de dos radios de giro.</translation>
     </message>
     <message>
-        <source>A cell gets a heading of its own where that saves time.</source>
+        <source>A block gets a heading of its own where that saves time.</source>
         <translation>Una subparcela tiene su propia dirección donde eso ahorra tiempo.</translation>
     </message>
     <message>
@@ -2319,7 +2343,7 @@
         <translation>A través de la pendiente: junto a una curva de nivel, y otra nueva donde ya no encaja.</translation>
     </message>
     <message>
-        <source>After the mainland</source>
+        <source>After the swaths</source>
         <translation>Después del interior</translation>
     </message>
     <message>
@@ -2355,7 +2379,7 @@
         <translation>Todas las pasadas a lo largo del lado elegido del límite.</translation>
     </message>
     <message>
-        <source>All swaths along the longest straight edge of the mainland.</source>
+        <source>All swaths along the longest straight edge inside the headland.</source>
         <translation>Todas las pasadas a lo largo del lado recto más largo del interior.</translation>
     </message>
     <message>
@@ -2443,7 +2467,7 @@
         <translation>Al comienzo de la primera pasada.</translation>
     </message>
     <message>
-        <source>Before the mainland</source>
+        <source>Before the swaths</source>
         <translation>Antes del interior</translation>
     </message>
     <message>
@@ -2519,11 +2543,11 @@
         <translation>Límite, obstáculos, entradas, cabecera, pasadas, recorrido y avisos; para mapas y programas.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path as layers for a GIS.</source>
         <translation>Límite, obstáculos, entradas, interior, pasadas y recorrido como capas para un SIG.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path, a shapefile of each.</source>
         <translation>Límite, obstáculos, entradas, interior, pasadas y recorrido, un shapefile de cada uno.</translation>
     </message>
     <message>
@@ -2547,7 +2571,7 @@
         <translation>Suspendido en el tractor, o arrastrado de un enganche con su propia huella.</translation>
     </message>
     <message>
-        <source>Cells</source>
+        <source>Blocks</source>
         <translation>Subparcelas</translation>
     </message>
     <message>
@@ -2755,7 +2779,7 @@
         <translation>De fuera hacia dentro</translation>
     </message>
     <message>
-        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <source>From the boundary inwards; holds as many passes as fit.</source>
         <translation>Del límite al interior de la parcela; contiene tantas pasadas como quepan.</translation>
     </message>
     <message>
@@ -2823,8 +2847,8 @@
         <translation>A medio ancho</translation>
     </message>
     <message>
-        <source>Halving the step</source>
-        <translation>Paso a la mitad</translation>
+        <source>Quick search</source>
+        <translation>Búsqueda rápida</translation>
     </message>
     <message>
         <source>Harvest</source>
@@ -2887,7 +2911,7 @@
         <translation>Cómo va la máquina de una pasada a la siguiente.</translation>
     </message>
     <message>
-        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <source>How the field is divided; the swaths of a block are driven together.</source>
         <translation>Cómo se divide el interior; las pasadas de una subparcela se hacen juntas.</translation>
     </message>
     <message>
@@ -2971,7 +2995,7 @@
         <translation>Línea</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
         <translation>Líneas en WGS84 por las que se divide el interior; lo atraviesan por completo o terminan como mucho a un ancho de trabajo de su borde.</translation>
     </message>
     <message>
@@ -3152,7 +3176,7 @@
     </message>
     <message>
         <source>Plan the parts of the field apart, or widen the passage between them.</source>
-        <translation>Planifique las partes del campo por separado o ensanche el paso entre ellas.</translation>
+        <translation>Planifique las partes de la parcela por separado o ensanche el paso entre ellas.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>
@@ -3395,7 +3419,7 @@
         <translation>Camino recto necesario antes de bajar el apero.</translation>
     </message>
     <message>
-        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <source>Swath after swath over all of the field, whatever cuts them.</source>
         <translation>Pasada tras pasada por todo el interior, corte lo que corte.</translation>
     </message>
     <message>
@@ -3407,7 +3431,7 @@
         <translation>Pasadas</translation>
     </message>
     <message>
-        <source>Swaths go on from cell to cell.</source>
+        <source>Swaths go on from block to block.</source>
         <translation>Las pasadas siguen de una subparcela a otra.</translation>
     </message>
     <message>
@@ -3495,7 +3519,7 @@
         <translation>El enganche se dobla %1 en %2; se permiten %3.</translation>
     </message>
     <message>
-        <source>The largest covered share of the mainland.</source>
+        <source>The largest covered share inside the headland.</source>
         <translation>La mayor parte trabajada del interior.</translation>
     </message>
     <message>
@@ -3539,7 +3563,7 @@
         <translation>Primero la pasada junto al límite.</translation>
     </message>
     <message>
-        <source>The pass along the mainland first.</source>
+        <source>The innermost pass first.</source>
         <translation>Primero la pasada junto al interior.</translation>
     </message>
     <message>
@@ -3755,7 +3779,7 @@
         <translation>Los caminos siguen la cabecera; no se pisan el cultivo ni la cama de siembra.</translation>
     </message>
     <message>
-        <source>Ways may cross the mainland.</source>
+        <source>Ways may cross worked land.</source>
         <translation>Los caminos pueden cruzar el interior.</translation>
     </message>
     <message>
@@ -3815,15 +3839,15 @@
         <translation>Por dónde puede ir la máquina de pasada a pasada; depende de la operación.</translation>
     </message>
     <message>
-        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
-        <translation>Donde el centro de la pasada toca el borde del interior.</translation>
+        <source>Where the middle of the swath meets the headland.</source>
+        <translation>Donde el centro de la pasada llega a la cabecera.</translation>
     </message>
     <message>
         <source>Where tramlines are counted from.</source>
         <translation>Desde dónde se cuentan las calles de pulverización.</translation>
     </message>
     <message>
-        <source>Whether cells have a heading of their own.</source>
+        <source>Whether blocks have a heading of their own.</source>
         <translation>Si las subparcelas tienen su propia dirección.</translation>
     </message>
     <message>
@@ -3855,10 +3879,6 @@
         <translation>Ancho trabajado en una pasada.</translation>
     </message>
     <message>
-        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
-        <translation>Con el apero levantado se pasa %1 sobre suelo trabajado y %2 sobre suelo que se trabaja después; lo más largo es %3.</translation>
-    </message>
-    <message>
         <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
         <translation>Sin marcha atrás, sin girar las ruedas más rápido de lo que puede la máquina (clotoides).</translation>
     </message>
@@ -3875,7 +3895,7 @@
         <translation>Velocidad de trabajo</translation>
     </message>
     <message>
-        <source>Working the soil: the mainland may be crossed.</source>
+        <source>Working the soil: worked land may be driven over.</source>
         <translation>Labor del suelo: se puede cruzar el interior.</translation>
     </message>
     <message>
@@ -4651,7 +4671,7 @@
         <translation>ningún píxel de la imagen está trabajado</translation>
     </message>
     <message>
-        <source>no swath fits into the mainland</source>
+        <source>no swath fits inside the headland</source>
         <translation>no cabe ninguna pasada en el interior de la parcela</translation>
     </message>
     <message>
@@ -5619,11 +5639,11 @@
         <translation>Lo que recorrió una máquina.</translation>
     </message>
     <message>
-        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>la línea de división %1 termina %2 antes del borde del interior y allí no separa nada (decomposition.split); trácela de lado a lado</translation>
+        <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>la línea de corte %1 termina %2 antes de la cabecera y ahí no separa nada (decomposition.split); trácela de lado a lado</translation>
     </message>
     <message>
-        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
         <translation>la línea de división %1 queda fuera del interior y no divide nada (decomposition.split)</translation>
     </message>
     <message numerus="yes">
@@ -5689,7 +5709,7 @@
         </translation>
     </message>
     <message>
-        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
         <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es interior de la parcela</translation>
     </message>
     <message>
@@ -5797,7 +5817,7 @@
         <translation>elija una máquina más pequeña o un margen menor (%1)</translation>
     </message>
     <message>
-        <source>no row is left in the mainland</source>
+        <source>no row is left inside the headland</source>
         <translation>no queda ninguna hilera en el interior de la parcela</translation>
     </message>
     <message>
@@ -5805,7 +5825,7 @@
         <translation>omita menos hileras</translation>
     </message>
     <message>
-        <source>no row lies in the mainland</source>
+        <source>no row lies inside the headland</source>
         <translation>no hay ninguna hilera en el interior de la parcela</translation>
     </message>
     <message>
@@ -5905,7 +5925,7 @@
         <translation>Extremos de las pasadas</translation>
     </message>
     <message>
-        <source>Heading of cells</source>
+        <source>Heading of blocks</source>
         <translation>Dirección de las subparcelas</translation>
     </message>
     <message>
@@ -6025,7 +6045,7 @@
         <translation>%1; la máquina se mantiene al menos a %2 del borde.</translation>
     </message>
     <message numerus="yes">
-        <source>%n cells</source>
+        <source>%n blocks</source>
         <translation>
             <numerusform>%n subparcela</numerusform>
             <numerusform>%n subparcelas</numerusform>
@@ -6100,7 +6120,7 @@
         <translation>Ningún orden de estas pasadas es mejor; está demostrado.</translation>
     </message>
     <message>
-        <source>Nothing divides the swaths: one cell.</source>
+        <source>Nothing divides the swaths: one block.</source>
         <translation>Nada divide las pasadas: una subparcela.</translation>
     </message>
     <message>
@@ -6112,7 +6132,7 @@
         <translation>Una vuelta trabaja toda la parcela.</translation>
     </message>
     <message numerus="yes">
-        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
         <translation>
             <numerusform>Esquinas u obstáculos interrumpen las pasadas: %n subparcela.</numerusform>
             <numerusform>Esquinas u obstáculos interrumpen las pasadas: %n subparcelas.</numerusform>
@@ -6206,6 +6226,10 @@
         <source>way straight on</source>
         <translation>tramo recto</translation>
     </message>
+    <message>
+        <source>%1 are driven over the field with the implement up; longest: %2.</source>
+        <translation>Se recorren %1 sobre la parcela con el apero levantado; lo más largo: %2.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6218,8 +6242,8 @@
         <translation>Idioma</translation>
     </message>
     <message>
-        <source>As the computer</source>
-        <translation>Como el ordenador</translation>
+        <source>Same as this computer</source>
+        <translation>Como este ordenador</translation>
     </message>
     <message>
         <source>Units</source>
@@ -6699,6 +6723,14 @@
     <message>
         <source>Compare</source>
         <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Hide the steps</source>
+        <translation>Ocultar los pasos</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Mostrar los pasos</translation>
     </message>
 </context>
 <context>
@@ -7293,7 +7325,7 @@
 <context>
     <name>furrow::CellSteps</name>
     <message numerus="yes">
-        <source>%n cell(s), %1</source>
+        <source>%n block(s), %1</source>
         <translation>
             <numerusform>%n subparcela, %1</numerusform>
             <numerusform>%n subparcelas, %1</numerusform>
@@ -7320,11 +7352,11 @@
         <translation>Como se dividió.</translation>
     </message>
     <message>
-        <source>The two marked cells become one: that saves %1.</source>
+        <source>The two marked blocks become one: that saves %1.</source>
         <translation>Las dos subparcelas marcadas pasan a ser una: eso ahorra %1.</translation>
     </message>
     <message>
-        <source>Cells in which no swath lies go to their neighbours.</source>
+        <source>Blocks in which no swath lies go to their neighbours.</source>
         <translation>Las subparcelas sin pasadas se unen a sus vecinas.</translation>
     </message>
 </context>
@@ -7815,7 +7847,7 @@
         <translation>De la parcela, sin huecos ni obstáculos</translation>
     </message>
     <message>
-        <source>Mainland</source>
+        <source>Inside the headland</source>
         <translation>Interior de la parcela</translation>
     </message>
     <message>
@@ -7861,6 +7893,26 @@
     <message>
         <source>Share of the field that is worked twice</source>
         <translation>Parte de la parcela trabajada dos veces</translation>
+    </message>
+    <message>
+        <source>Land that is not worked</source>
+        <translation>Terreno que no se trabaja</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached by the implement, mostly in corners; %2 could be.</source>
+        <translation>A %1 no llega el apero, casi siempre en esquinas; a %2 podría llegar.</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Sin trabajar</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>Ground outside that the machine or its implement drives over</source>
+        <translation>Suelo de fuera por el que pasa la máquina o su apero</translation>
     </message>
 </context>
 <context>
@@ -8485,7 +8537,7 @@
 <context>
     <name>furrow::StepsModel</name>
     <message>
-        <source>mainland %1</source>
+        <source>%1 inside</source>
         <translation>interior %1</translation>
     </message>
     <message numerus="yes">
@@ -8496,7 +8548,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n cell(s)</source>
+        <source>%n block(s)</source>
         <translation>
             <numerusform>%n subparcela</numerusform>
             <numerusform>%n subparcelas</numerusform>
@@ -8626,6 +8678,22 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>To a stick, to files or on paper</source>
+        <translation>A una memoria USB, a archivos o en papel</translation>
+    </message>
+    <message>
+        <source>No plan to export yet</source>
+        <translation>Aún no hay plan que exportar</translation>
+    </message>
+    <message>
+        <source>Waits for the finished plan</source>
+        <translation>Espera el plan terminado</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
     </message>
 </context>
 <context>

@@ -503,6 +503,26 @@
         <source>driven recorded GPX NMEA log cross-track error compare</source>
         <translation>parcouru enregistré GPX NMEA écart comparer</translation>
     </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Ce que montre la carte</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Taille de l’affichage</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Couche : numéros des passages</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -597,15 +617,15 @@
         <translation>Étape précédente</translation>
     </message>
     <message>
-        <source>Show the cells</source>
+        <source>Show the blocks</source>
         <translation>Montrer les sous-parcelles</translation>
     </message>
     <message>
-        <source>Step of the cells</source>
+        <source>Step of the blocks</source>
         <translation>Étape des sous-parcelles</translation>
     </message>
     <message>
-        <source>Turns and ways from cell to cell, estimated.</source>
+        <source>Turns and ways from block to block, estimated.</source>
         <translation>Demi-tours et trajets d&apos;une sous-parcelle à l&apos;autre, estimés.</translation>
     </message>
 </context>
@@ -868,10 +888,10 @@
         <translation>Choisissez un autre format ou une autre console, et signalez-le.</translation>
     </message>
     <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>Les fichiers ont été examinés pour %n type d’erreur sur laquelle butent les récepteurs ; il n’y en a pas.</numerusform>
-            <numerusform>Les fichiers ont été examinés pour %n types d’erreurs sur lesquelles butent les récepteurs ; il n’y en a pas.</numerusform>
+            <numerusform>%n contrôle réussi : rien dans les fichiers qui gêne les consoles.</numerusform>
+            <numerusform>%n contrôles réussis : rien dans les fichiers qui gêne les consoles.</numerusform>
         </translation>
     </message>
 </context>
@@ -1176,6 +1196,10 @@
         <source>Apply: %1</source>
         <translation>Appliquer : %1</translation>
     </message>
+    <message>
+        <source>For information</source>
+        <translation>Pour information</translation>
+    </message>
 </context>
 <context>
     <name>HeadingChart</name>
@@ -1327,10 +1351,6 @@
         <translation>ligne de guidage</translation>
     </message>
     <message>
-        <source>Several moves</source>
-        <translation>Plusieurs temps</translation>
-    </message>
-    <message>
         <source>Point %1 of the %2</source>
         <translation>Point %1 (%2)</translation>
     </message>
@@ -1423,10 +1443,6 @@
         <translation>Passage %1</translation>
     </message>
     <message>
-        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
-        <translation>Il est travaillé en %1ᵉ position sur %2 : %3, en %4.</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Largeur</translation>
     </message>
@@ -1467,11 +1483,11 @@
         <translation>Ce n&apos;est pas praticable ainsi : %1.</translation>
     </message>
     <message>
-        <source>Cell %1</source>
+        <source>Block %1</source>
         <translation>Sous-parcelle %1</translation>
     </message>
     <message numerus="yes">
-        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
             <numerusform>Un morceau du plein champ avec %n passage.</numerusform>
             <numerusform>Un morceau du plein champ dont les %n passages sont faits ensemble.</numerusform>
@@ -1510,15 +1526,11 @@
         <translation>Elle ne fait pas partie de la parcelle. La tirer, ou ses points et côtés.</translation>
     </message>
     <message>
-        <source>Finding %1</source>
-        <translation>Remarque %1</translation>
-    </message>
-    <message>
         <source>split line</source>
         <translation>ligne de partage</translation>
     </message>
     <message>
-        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <source>The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
         <translation>Le plein champ est coupé le long de cette ligne, là où elle le traverse entièrement. La tirer, tirer ses points ou la supprimer.</translation>
     </message>
     <message>
@@ -1528,6 +1540,14 @@
     <message>
         <source>%1 with the implement folded, in %2.</source>
         <translation>%1 outil replié, en %2.</translation>
+    </message>
+    <message>
+        <source>Whole turn</source>
+        <translation>Demi-tour entier</translation>
+    </message>
+    <message>
+        <source>Driven as number %1 of %2: %3 in %4.</source>
+        <translation>Parcouru en numéro %1 sur %2 : %3 en %4.</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1693,10 @@
     <message>
         <source>Wheel passes</source>
         <translation>Passages de roues</translation>
+    </message>
+    <message>
+        <source>Swath numbers</source>
+        <translation>Numéros des passages</translation>
     </message>
 </context>
 <context>
@@ -2034,7 +2058,7 @@
     </message>
     <message>
         <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
-        <translation>%1 mène d’une partie du champ à une autre que cette machine ne peut pas atteindre.</translation>
+        <translation>%1 mène d’une partie de la parcelle à une autre que cette machine ne peut pas atteindre.</translation>
     </message>
     <message>
         <source>%1 leaves the field by %2.</source>
@@ -2271,7 +2295,7 @@
         <translation>Renflé d&apos;un côté et retour droit ; pour des passages à moins de deux rayons de braquage.</translation>
     </message>
     <message>
-        <source>A cell gets a heading of its own where that saves time.</source>
+        <source>A block gets a heading of its own where that saves time.</source>
         <translation>Une sous-parcelle a sa propre orientation là où cela fait gagner du temps.</translation>
     </message>
     <message>
@@ -2319,7 +2343,7 @@
         <translation>En travers de la pente : à côté d&apos;une courbe de niveau, et d&apos;une autre là où cela ne va plus.</translation>
     </message>
     <message>
-        <source>After the mainland</source>
+        <source>After the swaths</source>
         <translation>Après le plein champ</translation>
     </message>
     <message>
@@ -2355,7 +2379,7 @@
         <translation>Tous les passages le long du côté de la limite choisi.</translation>
     </message>
     <message>
-        <source>All swaths along the longest straight edge of the mainland.</source>
+        <source>All swaths along the longest straight edge inside the headland.</source>
         <translation>Tous les passages le long du plus grand côté droit du plein champ.</translation>
     </message>
     <message>
@@ -2443,7 +2467,7 @@
         <translation>Au début du premier passage.</translation>
     </message>
     <message>
-        <source>Before the mainland</source>
+        <source>Before the swaths</source>
         <translation>Avant le plein champ</translation>
     </message>
     <message>
@@ -2519,11 +2543,11 @@
         <translation>Limite, obstacles, entrées, fourrière, passages, trajet et remarques ; pour cartes et programmes.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path as layers for a GIS.</source>
         <translation>Limite, obstacles, entrées, plein champ, passages et trajet en couches pour un SIG.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path, a shapefile of each.</source>
         <translation>Limite, obstacles, entrées, plein champ, passages et trajet, un shapefile pour chacun.</translation>
     </message>
     <message>
@@ -2547,7 +2571,7 @@
         <translation>Porté par le tracteur, ou traîné à l&apos;attelage et suivant sa propre trace.</translation>
     </message>
     <message>
-        <source>Cells</source>
+        <source>Blocks</source>
         <translation>Sous-parcelles</translation>
     </message>
     <message>
@@ -2755,7 +2779,7 @@
         <translation>De l&apos;extérieur vers l&apos;intérieur</translation>
     </message>
     <message>
-        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <source>From the boundary inwards; holds as many passes as fit.</source>
         <translation>De la limite au plein champ ; contient autant de tours qu&apos;il en tient.</translation>
     </message>
     <message>
@@ -2823,8 +2847,8 @@
         <translation>À mi-largeur</translation>
     </message>
     <message>
-        <source>Halving the step</source>
-        <translation>Pas divisé par deux</translation>
+        <source>Quick search</source>
+        <translation>Recherche rapide</translation>
     </message>
     <message>
         <source>Harvest</source>
@@ -2887,7 +2911,7 @@
         <translation>Comment la machine va d&apos;un passage au suivant.</translation>
     </message>
     <message>
-        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <source>How the field is divided; the swaths of a block are driven together.</source>
         <translation>Comment le plein champ est divisé ; les passages d&apos;une sous-parcelle sont faits ensemble.</translation>
     </message>
     <message>
@@ -2971,7 +2995,7 @@
         <translation>Ligne</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
         <translation>Lignes en WGS84 le long desquelles le plein champ est découpé ; elles le traversent ou s&apos;arrêtent à une largeur de travail au plus de son bord.</translation>
     </message>
     <message>
@@ -3152,7 +3176,7 @@
     </message>
     <message>
         <source>Plan the parts of the field apart, or widen the passage between them.</source>
-        <translation>Planifiez les parties du champ séparément, ou élargissez le passage entre elles.</translation>
+        <translation>Planifiez les parties de la parcelle séparément, ou élargissez le passage entre elles.</translation>
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>
@@ -3395,7 +3419,7 @@
         <translation>Ligne droite nécessaire avant de baisser l&apos;outil.</translation>
     </message>
     <message>
-        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <source>Swath after swath over all of the field, whatever cuts them.</source>
         <translation>Passage après passage sur tout le plein champ, quoi qui les coupe.</translation>
     </message>
     <message>
@@ -3407,7 +3431,7 @@
         <translation>Passages</translation>
     </message>
     <message>
-        <source>Swaths go on from cell to cell.</source>
+        <source>Swaths go on from block to block.</source>
         <translation>Les passages continuent d&apos;une sous-parcelle à l&apos;autre.</translation>
     </message>
     <message>
@@ -3495,7 +3519,7 @@
         <translation>L&apos;attelage plie de %1 dans %2 ; %3 sont permis.</translation>
     </message>
     <message>
-        <source>The largest covered share of the mainland.</source>
+        <source>The largest covered share inside the headland.</source>
         <translation>La plus grande part travaillée du plein champ.</translation>
     </message>
     <message>
@@ -3539,7 +3563,7 @@
         <translation>Le tour le long de la limite d&apos;abord.</translation>
     </message>
     <message>
-        <source>The pass along the mainland first.</source>
+        <source>The innermost pass first.</source>
         <translation>Le tour le long du plein champ d&apos;abord.</translation>
     </message>
     <message>
@@ -3688,7 +3712,7 @@
     </message>
     <message>
         <source>Tramline every</source>
-        <translation>Pulvérisateur tous les</translation>
+        <translation>Passages de pulvérisateur tous les</translation>
     </message>
     <message>
         <source>Transfer speed</source>
@@ -3755,7 +3779,7 @@
         <translation>Les trajets restent sur la fourrière ; on ne roule pas sur la culture ni le lit de semences.</translation>
     </message>
     <message>
-        <source>Ways may cross the mainland.</source>
+        <source>Ways may cross worked land.</source>
         <translation>Les trajets peuvent traverser le plein champ.</translation>
     </message>
     <message>
@@ -3815,15 +3839,15 @@
         <translation>Où la machine peut rouler d&apos;un passage à l&apos;autre ; découle de l&apos;opération.</translation>
     </message>
     <message>
-        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
-        <translation>Là où le milieu du passage rencontre le bord du plein champ.</translation>
+        <source>Where the middle of the swath meets the headland.</source>
+        <translation>Là où le milieu du passage rencontre la fourrière.</translation>
     </message>
     <message>
         <source>Where tramlines are counted from.</source>
         <translation>D&apos;où sont comptés les passages de pulvérisateur.</translation>
     </message>
     <message>
-        <source>Whether cells have a heading of their own.</source>
+        <source>Whether blocks have a heading of their own.</source>
         <translation>Si les sous-parcelles ont leur propre orientation.</translation>
     </message>
     <message>
@@ -3855,10 +3879,6 @@
         <translation>Largeur travaillée en un passage.</translation>
     </message>
     <message>
-        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
-        <translation>Outil relevé, on roule %1 sur du sol travaillé et %2 sur du sol qui le sera plus tard ; le plus long est %3.</translation>
-    </message>
-    <message>
         <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
         <translation>Sans reculer, les roues braquées pas plus vite que la machine ne le peut (clothoïdes).</translation>
     </message>
@@ -3875,7 +3895,7 @@
         <translation>Vitesse de travail</translation>
     </message>
     <message>
-        <source>Working the soil: the mainland may be crossed.</source>
+        <source>Working the soil: worked land may be driven over.</source>
         <translation>Travail du sol : on peut traverser le plein champ.</translation>
     </message>
     <message>
@@ -4651,7 +4671,7 @@
         <translation>aucun pixel de l&apos;image n&apos;est travaillé</translation>
     </message>
     <message>
-        <source>no swath fits into the mainland</source>
+        <source>no swath fits inside the headland</source>
         <translation>aucun passage ne tient dans le plein champ</translation>
     </message>
     <message>
@@ -5619,11 +5639,11 @@
         <translation>Ce qu&apos;une machine a parcouru.</translation>
     </message>
     <message>
-        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>la ligne de découpe %1 s&apos;arrête %2 avant le bord du plein champ et n&apos;y découpe rien (decomposition.split) ; tracez-la de part en part</translation>
+        <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>la ligne de découpe %1 s&apos;arrête %2 avant la fourrière et n&apos;y découpe rien (decomposition.split) ; tracez-la de part en part</translation>
     </message>
     <message>
-        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
         <translation>la ligne de découpe %1 est hors du plein champ et ne découpe rien (decomposition.split)</translation>
     </message>
     <message numerus="yes">
@@ -5689,7 +5709,7 @@
         </translation>
     </message>
     <message>
-        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
         <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste fait partie du plein champ</translation>
     </message>
     <message>
@@ -5797,7 +5817,7 @@
         <translation>choisissez une machine plus petite ou une marge plus petite (%1)</translation>
     </message>
     <message>
-        <source>no row is left in the mainland</source>
+        <source>no row is left inside the headland</source>
         <translation>il ne reste aucun rang dans le plein champ</translation>
     </message>
     <message>
@@ -5805,7 +5825,7 @@
         <translation>sautez moins de rangs</translation>
     </message>
     <message>
-        <source>no row lies in the mainland</source>
+        <source>no row lies inside the headland</source>
         <translation>aucun rang ne se trouve dans le plein champ</translation>
     </message>
     <message>
@@ -5905,7 +5925,7 @@
         <translation>Bouts des passages</translation>
     </message>
     <message>
-        <source>Heading of cells</source>
+        <source>Heading of blocks</source>
         <translation>Orientation des sous-parcelles</translation>
     </message>
     <message>
@@ -5966,7 +5986,7 @@
     </message>
     <message>
         <source>%1 are driven outside of the field</source>
-        <translation>%1 sont parcourus hors du champ</translation>
+        <translation>%1 sont parcourus hors de la parcelle</translation>
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
@@ -6018,14 +6038,14 @@
     </message>
     <message>
         <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
-        <translation>%1 : le champ est trop étroit pour les %2 que demande un demi-tour de cette machine.</translation>
+        <translation>%1 : la parcelle est trop étroite pour les %2 que demande un demi-tour de cette machine.</translation>
     </message>
     <message>
         <source>%1; the machine keeps %2 from its edge at least.</source>
         <translation>%1 ; la machine reste au moins à %2 du bord.</translation>
     </message>
     <message numerus="yes">
-        <source>%n cells</source>
+        <source>%n blocks</source>
         <translation>
             <numerusform>%n sous-parcelle</numerusform>
             <numerusform>%n sous-parcelles</numerusform>
@@ -6100,19 +6120,19 @@
         <translation>Aucun ordre de ces passages n’est meilleur ; c’est prouvé.</translation>
     </message>
     <message>
-        <source>Nothing divides the swaths: one cell.</source>
+        <source>Nothing divides the swaths: one block.</source>
         <translation>Rien ne coupe les passages : une seule sous-parcelle.</translation>
     </message>
     <message>
         <source>Nothing stands outside of the field</source>
-        <translation>Rien ne sort du champ</translation>
+        <translation>Rien ne sort de la parcelle</translation>
     </message>
     <message>
         <source>One pass all round works the whole field.</source>
-        <translation>Un seul tour travaille tout le champ.</translation>
+        <translation>Un seul tour travaille toute la parcelle.</translation>
     </message>
     <message numerus="yes">
-        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
         <translation>
             <numerusform>Des coins ou des obstacles interrompent les passages : %n sous-parcelle.</numerusform>
             <numerusform>Des coins ou des obstacles interrompent les passages : %n sous-parcelles.</numerusform>
@@ -6206,6 +6226,10 @@
         <source>way straight on</source>
         <translation>trajet tout droit</translation>
     </message>
+    <message>
+        <source>%1 are driven over the field with the implement up; longest: %2.</source>
+        <translation>%1 sont parcourus sur la parcelle outil relevé ; le plus long : %2.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6218,8 +6242,8 @@
         <translation>Langue</translation>
     </message>
     <message>
-        <source>As the computer</source>
-        <translation>Comme l&apos;ordinateur</translation>
+        <source>Same as this computer</source>
+        <translation>Comme cet ordinateur</translation>
     </message>
     <message>
         <source>Units</source>
@@ -6235,7 +6259,7 @@
     </message>
     <message>
         <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
-        <translation>Les champs acceptent les deux : 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Les fichiers sont toujours en mètres.</translation>
+        <translation>Les cases acceptent les deux : 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Les fichiers sont toujours en mètres.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6699,6 +6723,14 @@
     <message>
         <source>Compare</source>
         <translation>Comparer</translation>
+    </message>
+    <message>
+        <source>Hide the steps</source>
+        <translation>Masquer les étapes</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Afficher les étapes</translation>
     </message>
 </context>
 <context>
@@ -7293,7 +7325,7 @@
 <context>
     <name>furrow::CellSteps</name>
     <message numerus="yes">
-        <source>%n cell(s), %1</source>
+        <source>%n block(s), %1</source>
         <translation>
             <numerusform>%n sous-parcelle, %1</numerusform>
             <numerusform>%n sous-parcelles, %1</numerusform>
@@ -7320,11 +7352,11 @@
         <translation>Tel que coupé.</translation>
     </message>
     <message>
-        <source>The two marked cells become one: that saves %1.</source>
+        <source>The two marked blocks become one: that saves %1.</source>
         <translation>Les deux sous-parcelles marquées n&apos;en font plus qu&apos;une : %1 de gagné.</translation>
     </message>
     <message>
-        <source>Cells in which no swath lies go to their neighbours.</source>
+        <source>Blocks in which no swath lies go to their neighbours.</source>
         <translation>Les sous-parcelles sans passage vont à leurs voisines.</translation>
     </message>
 </context>
@@ -7815,7 +7847,7 @@
         <translation>De la parcelle, sans enclaves ni obstacles</translation>
     </message>
     <message>
-        <source>Mainland</source>
+        <source>Inside the headland</source>
         <translation>Plein champ</translation>
     </message>
     <message>
@@ -7861,6 +7893,26 @@
     <message>
         <source>Share of the field that is worked twice</source>
         <translation>Part de la parcelle travaillée deux fois</translation>
+    </message>
+    <message>
+        <source>Land that is not worked</source>
+        <translation>Sol qui n’est pas travaillé</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached by the implement, mostly in corners; %2 could be.</source>
+        <translation>%1 est hors d’atteinte de l’outil, surtout dans les coins ; %2 pourrait être travaillé.</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Manqué</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Hors de la parcelle</translation>
+    </message>
+    <message>
+        <source>Ground outside that the machine or its implement drives over</source>
+        <translation>Sol au dehors sur lequel passe la machine ou son outil</translation>
     </message>
 </context>
 <context>
@@ -8485,7 +8537,7 @@
 <context>
     <name>furrow::StepsModel</name>
     <message>
-        <source>mainland %1</source>
+        <source>%1 inside</source>
         <translation>plein champ %1</translation>
     </message>
     <message numerus="yes">
@@ -8496,7 +8548,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n cell(s)</source>
+        <source>%n block(s)</source>
         <translation>
             <numerusform>%n sous-parcelle</numerusform>
             <numerusform>%n sous-parcelles</numerusform>
@@ -8626,6 +8678,22 @@
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>To a stick, to files or on paper</source>
+        <translation>Sur une clé, en fichiers ou sur papier</translation>
+    </message>
+    <message>
+        <source>No plan to export yet</source>
+        <translation>Pas encore de plan à exporter</translation>
+    </message>
+    <message>
+        <source>Waits for the finished plan</source>
+        <translation>Attend le plan terminé</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
     </message>
 </context>
 <context>

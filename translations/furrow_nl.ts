@@ -503,6 +503,26 @@
         <source>driven recorded GPX NMEA log cross-track error compare</source>
         <translation>gereden opgenomen GPX NMEA afwijking vergelijken</translation>
     </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Wat de kaart toont</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Kleuren</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Grootte van alles</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stappen</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Laag: nummers van de werkgangen</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -597,15 +617,15 @@
         <translation>Vorige stap</translation>
     </message>
     <message>
-        <source>Show the cells</source>
+        <source>Show the blocks</source>
         <translation>Deelpercelen tonen</translation>
     </message>
     <message>
-        <source>Step of the cells</source>
+        <source>Step of the blocks</source>
         <translation>Stap van de deelpercelen</translation>
     </message>
     <message>
-        <source>Turns and ways from cell to cell, estimated.</source>
+        <source>Turns and ways from block to block, estimated.</source>
         <translation>Draaien en wegen van deelperceel naar deelperceel, geschat.</translation>
     </message>
 </context>
@@ -868,10 +888,10 @@
         <translation>Kies een ander formaat of een andere terminal en meld dit.</translation>
     </message>
     <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>De bestanden zijn nagekeken op %n soort fout waarover ontvangers struikelen; er is er geen.</numerusform>
-            <numerusform>De bestanden zijn nagekeken op %n soorten fouten waarover ontvangers struikelen; er is er geen.</numerusform>
+            <numerusform>%n controle geslaagd: niets in de bestanden waar terminals over struikelen.</numerusform>
+            <numerusform>%n controles geslaagd: niets in de bestanden waar terminals over struikelen.</numerusform>
         </translation>
     </message>
 </context>
@@ -1176,6 +1196,10 @@
         <source>Apply: %1</source>
         <translation>Toepassen: %1</translation>
     </message>
+    <message>
+        <source>For information</source>
+        <translation>Ter informatie</translation>
+    </message>
 </context>
 <context>
     <name>HeadingChart</name>
@@ -1327,10 +1351,6 @@
         <translation>stuurlijn</translation>
     </message>
     <message>
-        <source>Several moves</source>
-        <translation>Meer slagen</translation>
-    </message>
-    <message>
         <source>Point %1 of the %2</source>
         <translation>Punt %1 (%2)</translation>
     </message>
@@ -1423,10 +1443,6 @@
         <translation>Werkgang %1</translation>
     </message>
     <message>
-        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
-        <translation>Ze wordt als nummer %1 van %2 bewerkt, %3 lang, in %4.</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Breedte</translation>
     </message>
@@ -1467,11 +1483,11 @@
         <translation>Zo is het niet te rijden: %1.</translation>
     </message>
     <message>
-        <source>Cell %1</source>
+        <source>Block %1</source>
         <translation>Deelperceel %1</translation>
     </message>
     <message numerus="yes">
-        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
             <numerusform>Een stuk van de binnenakker met %n werkgang.</numerusform>
             <numerusform>Een stuk van de binnenakker waarvan de %n werkgangen samen gereden worden.</numerusform>
@@ -1510,15 +1526,11 @@
         <translation>Het hoort niet bij het perceel. Sleep het, of de punten en zijden.</translation>
     </message>
     <message>
-        <source>Finding %1</source>
-        <translation>Bevinding %1</translation>
-    </message>
-    <message>
         <source>split line</source>
         <translation>splitlijn</translation>
     </message>
     <message>
-        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <source>The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
         <translation>De binnenakker wordt erlangs gesplitst waar ze er helemaal doorheen loopt. Sleep de lijn of de punten, of verwijder ze.</translation>
     </message>
     <message>
@@ -1528,6 +1540,14 @@
     <message>
         <source>%1 with the implement folded, in %2.</source>
         <translation>%1 met opgeklapt werktuig, in %2.</translation>
+    </message>
+    <message>
+        <source>Whole turn</source>
+        <translation>Hele keerbeweging</translation>
+    </message>
+    <message>
+        <source>Driven as number %1 of %2: %3 in %4.</source>
+        <translation>Gereden als nummer %1 van %2: %3 in %4.</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1693,10 @@
     <message>
         <source>Wheel passes</source>
         <translation>Wielsporen</translation>
+    </message>
+    <message>
+        <source>Swath numbers</source>
+        <translation>Nummers van de werkgangen</translation>
     </message>
 </context>
 <context>
@@ -2271,7 +2295,7 @@
         <translation>Naar één kant uitgebogen en recht terug; voor werkgangen dichterbij dan twee draaistralen.</translation>
     </message>
     <message>
-        <source>A cell gets a heading of its own where that saves time.</source>
+        <source>A block gets a heading of its own where that saves time.</source>
         <translation>Een deelperceel krijgt een eigen rijrichting waar dat tijd spaart.</translation>
     </message>
     <message>
@@ -2319,7 +2343,7 @@
         <translation>Dwars op de helling: naast een hoogtelijn, en een nieuwe waar dat niet meer past.</translation>
     </message>
     <message>
-        <source>After the mainland</source>
+        <source>After the swaths</source>
         <translation>Na de binnenakker</translation>
     </message>
     <message>
@@ -2355,7 +2379,7 @@
         <translation>Alle werkgangen langs de gekozen zijde van de perceelsgrens.</translation>
     </message>
     <message>
-        <source>All swaths along the longest straight edge of the mainland.</source>
+        <source>All swaths along the longest straight edge inside the headland.</source>
         <translation>Alle werkgangen langs de langste rechte zijde van de binnenakker.</translation>
     </message>
     <message>
@@ -2443,7 +2467,7 @@
         <translation>Aan het begin van de eerste werkgang.</translation>
     </message>
     <message>
-        <source>Before the mainland</source>
+        <source>Before the swaths</source>
         <translation>Vóór de binnenakker</translation>
     </message>
     <message>
@@ -2519,11 +2543,11 @@
         <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen, rijweg en bevindingen; voor kaarten en programma&apos;s.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path as layers for a GIS.</source>
         <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en rijweg als lagen voor een GIS.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path, a shapefile of each.</source>
         <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en rijweg, elk een shapefile.</translation>
     </message>
     <message>
@@ -2547,7 +2571,7 @@
         <translation>Door de trekker gedragen, of getrokken aan een aanhanging met een eigen spoor.</translation>
     </message>
     <message>
-        <source>Cells</source>
+        <source>Blocks</source>
         <translation>Deelpercelen</translation>
     </message>
     <message>
@@ -2755,7 +2779,7 @@
         <translation>Van buiten naar binnen</translation>
     </message>
     <message>
-        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <source>From the boundary inwards; holds as many passes as fit.</source>
         <translation>Van de perceelsgrens tot de binnenakker; bevat zoveel gangen als er passen.</translation>
     </message>
     <message>
@@ -2823,8 +2847,8 @@
         <translation>Op halve breedte</translation>
     </message>
     <message>
-        <source>Halving the step</source>
-        <translation>Stap halveren</translation>
+        <source>Quick search</source>
+        <translation>Snel zoeken</translation>
     </message>
     <message>
         <source>Harvest</source>
@@ -2887,7 +2911,7 @@
         <translation>Hoe de machine van de ene werkgang naar de volgende komt.</translation>
     </message>
     <message>
-        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <source>How the field is divided; the swaths of a block are driven together.</source>
         <translation>Hoe de binnenakker verdeeld wordt; de werkgangen van een deelperceel worden samen gereden.</translation>
     </message>
     <message>
@@ -2971,7 +2995,7 @@
         <translation>Lijn</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
         <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gedeeld; ze lopen er helemaal doorheen of eindigen hoogstens een werkbreedte voor de rand.</translation>
     </message>
     <message>
@@ -3395,7 +3419,7 @@
         <translation>Rechte weg die nodig is voordat het werktuig neergelaten wordt.</translation>
     </message>
     <message>
-        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <source>Swath after swath over all of the field, whatever cuts them.</source>
         <translation>Werkgang na werkgang over de hele binnenakker, wat er ook doorheen loopt.</translation>
     </message>
     <message>
@@ -3407,7 +3431,7 @@
         <translation>Werkgangen</translation>
     </message>
     <message>
-        <source>Swaths go on from cell to cell.</source>
+        <source>Swaths go on from block to block.</source>
         <translation>Werkgangen lopen door van deelperceel naar deelperceel.</translation>
     </message>
     <message>
@@ -3495,7 +3519,7 @@
         <translation>De aanhanging knikt %1 bij %2; toegestaan is %3.</translation>
     </message>
     <message>
-        <source>The largest covered share of the mainland.</source>
+        <source>The largest covered share inside the headland.</source>
         <translation>Het grootste bewerkte deel van de binnenakker.</translation>
     </message>
     <message>
@@ -3539,7 +3563,7 @@
         <translation>De gang langs de perceelsgrens eerst.</translation>
     </message>
     <message>
-        <source>The pass along the mainland first.</source>
+        <source>The innermost pass first.</source>
         <translation>De gang langs de binnenakker eerst.</translation>
     </message>
     <message>
@@ -3755,7 +3779,7 @@
         <translation>Wegen blijven op de kopakker; over gewas en zaaibed wordt niet gereden.</translation>
     </message>
     <message>
-        <source>Ways may cross the mainland.</source>
+        <source>Ways may cross worked land.</source>
         <translation>Wegen mogen over de binnenakker gaan.</translation>
     </message>
     <message>
@@ -3815,15 +3839,15 @@
         <translation>Waar de machine van werkgang naar werkgang mag rijden; volgt uit de bewerking.</translation>
     </message>
     <message>
-        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
-        <translation>Waar het midden van de werkgang de rand van de binnenakker raakt.</translation>
+        <source>Where the middle of the swath meets the headland.</source>
+        <translation>Waar het midden van de werkgang de kopakker raakt.</translation>
     </message>
     <message>
         <source>Where tramlines are counted from.</source>
         <translation>Vanwaar de spuitsporen geteld worden.</translation>
     </message>
     <message>
-        <source>Whether cells have a heading of their own.</source>
+        <source>Whether blocks have a heading of their own.</source>
         <translation>Of deelpercelen een eigen rijrichting hebben.</translation>
     </message>
     <message>
@@ -3855,10 +3879,6 @@
         <translation>Breedte die in één werkgang bewerkt wordt.</translation>
     </message>
     <message>
-        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
-        <translation>Met geheven werktuig wordt %1 over bewerkt land gereden en %2 over land dat later bewerkt wordt; het langst is %3.</translation>
-    </message>
-    <message>
         <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
         <translation>Zonder achteruit, de wielen niet sneller gedraaid dan de machine kan (clothoïden).</translation>
     </message>
@@ -3875,7 +3895,7 @@
         <translation>Werksnelheid</translation>
     </message>
     <message>
-        <source>Working the soil: the mainland may be crossed.</source>
+        <source>Working the soil: worked land may be driven over.</source>
         <translation>Grondbewerking: er mag over de binnenakker gereden worden.</translation>
     </message>
     <message>
@@ -4651,7 +4671,7 @@
         <translation>geen pixel van het beeld is bewerkt</translation>
     </message>
     <message>
-        <source>no swath fits into the mainland</source>
+        <source>no swath fits inside the headland</source>
         <translation>er past geen werkgang in de binnenakker</translation>
     </message>
     <message>
@@ -5619,11 +5639,11 @@
         <translation>Wat een machine heeft gereden.</translation>
     </message>
     <message>
-        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>deellijn %1 eindigt %2 voor de rand van de binnenakker en snijdt daar niets af (decomposition.split); trek haar helemaal door</translation>
+        <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>scheidingslijn %1 eindigt %2 voor de kopakker en snijdt daar niets af (decomposition.split); trek haar helemaal door</translation>
     </message>
     <message>
-        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
         <translation>deellijn %1 ligt buiten de binnenakker en deelt niets (decomposition.split)</translation>
     </message>
     <message numerus="yes">
@@ -5689,7 +5709,7 @@
         </translation>
     </message>
     <message>
-        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
         <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest hoort bij de binnenakker</translation>
     </message>
     <message>
@@ -5797,7 +5817,7 @@
         <translation>kies een kleinere machine of een kleinere marge (%1)</translation>
     </message>
     <message>
-        <source>no row is left in the mainland</source>
+        <source>no row is left inside the headland</source>
         <translation>er blijft geen rij over in de binnenakker</translation>
     </message>
     <message>
@@ -5805,7 +5825,7 @@
         <translation>sla minder rijen over</translation>
     </message>
     <message>
-        <source>no row lies in the mainland</source>
+        <source>no row lies inside the headland</source>
         <translation>er ligt geen rij in de binnenakker</translation>
     </message>
     <message>
@@ -5905,7 +5925,7 @@
         <translation>Uiteinden van werkgangen</translation>
     </message>
     <message>
-        <source>Heading of cells</source>
+        <source>Heading of blocks</source>
         <translation>Rijrichting van deelpercelen</translation>
     </message>
     <message>
@@ -6025,7 +6045,7 @@
         <translation>%1; de machine blijft minstens %2 van de rand.</translation>
     </message>
     <message numerus="yes">
-        <source>%n cells</source>
+        <source>%n blocks</source>
         <translation>
             <numerusform>%n deelperceel</numerusform>
             <numerusform>%n deelpercelen</numerusform>
@@ -6100,7 +6120,7 @@
         <translation>Geen volgorde van deze werkgangen is beter; dat is bewezen.</translation>
     </message>
     <message>
-        <source>Nothing divides the swaths: one cell.</source>
+        <source>Nothing divides the swaths: one block.</source>
         <translation>Niets deelt de werkgangen: één deelperceel.</translation>
     </message>
     <message>
@@ -6112,7 +6132,7 @@
         <translation>Eén rondgang bewerkt het hele perceel.</translation>
     </message>
     <message numerus="yes">
-        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
         <translation>
             <numerusform>Hoeken of obstakels onderbreken de werkgangen: %n deelperceel.</numerusform>
             <numerusform>Hoeken of obstakels onderbreken de werkgangen: %n deelpercelen.</numerusform>
@@ -6206,6 +6226,10 @@
         <source>way straight on</source>
         <translation>weg rechtdoor</translation>
     </message>
+    <message>
+        <source>%1 are driven over the field with the implement up; longest: %2.</source>
+        <translation>%1 wordt met het werktuig omhoog over het perceel gereden; het langst: %2.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6218,8 +6242,8 @@
         <translation>Taal</translation>
     </message>
     <message>
-        <source>As the computer</source>
-        <translation>Zoals de computer</translation>
+        <source>Same as this computer</source>
+        <translation>Zoals deze computer</translation>
     </message>
     <message>
         <source>Units</source>
@@ -6699,6 +6723,14 @@
     <message>
         <source>Compare</source>
         <translation>Vergelijken</translation>
+    </message>
+    <message>
+        <source>Hide the steps</source>
+        <translation>Stappen verbergen</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Stappen tonen</translation>
     </message>
 </context>
 <context>
@@ -7293,7 +7325,7 @@
 <context>
     <name>furrow::CellSteps</name>
     <message numerus="yes">
-        <source>%n cell(s), %1</source>
+        <source>%n block(s), %1</source>
         <translation>
             <numerusform>%n deelperceel, %1</numerusform>
             <numerusform>%n deelpercelen, %1</numerusform>
@@ -7320,11 +7352,11 @@
         <translation>Zoals gesplitst.</translation>
     </message>
     <message>
-        <source>The two marked cells become one: that saves %1.</source>
+        <source>The two marked blocks become one: that saves %1.</source>
         <translation>De twee gemarkeerde deelpercelen worden één: dat bespaart %1.</translation>
     </message>
     <message>
-        <source>Cells in which no swath lies go to their neighbours.</source>
+        <source>Blocks in which no swath lies go to their neighbours.</source>
         <translation>Deelpercelen waarin geen werkgang ligt, gaan naar hun buren.</translation>
     </message>
 </context>
@@ -7815,7 +7847,7 @@
         <translation>Van het perceel, zonder gaten en obstakels</translation>
     </message>
     <message>
-        <source>Mainland</source>
+        <source>Inside the headland</source>
         <translation>Binnenakker</translation>
     </message>
     <message>
@@ -7861,6 +7893,26 @@
     <message>
         <source>Share of the field that is worked twice</source>
         <translation>Deel van het perceel dat dubbel bewerkt wordt</translation>
+    </message>
+    <message>
+        <source>Land that is not worked</source>
+        <translation>Land dat niet wordt bewerkt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached by the implement, mostly in corners; %2 could be.</source>
+        <translation>Bij %1 kan het werktuig niet komen, meestal in hoeken; bij %2 wel.</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Gemist</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Buiten het perceel</translation>
+    </message>
+    <message>
+        <source>Ground outside that the machine or its implement drives over</source>
+        <translation>Grond erbuiten waar machine of werktuig over rijdt</translation>
     </message>
 </context>
 <context>
@@ -8485,7 +8537,7 @@
 <context>
     <name>furrow::StepsModel</name>
     <message>
-        <source>mainland %1</source>
+        <source>%1 inside</source>
         <translation>binnenakker %1</translation>
     </message>
     <message numerus="yes">
@@ -8496,7 +8548,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n cell(s)</source>
+        <source>%n block(s)</source>
         <translation>
             <numerusform>%n deelperceel</numerusform>
             <numerusform>%n deelpercelen</numerusform>
@@ -8626,6 +8678,22 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>To a stick, to files or on paper</source>
+        <translation>Naar een stick, naar bestanden of op papier</translation>
+    </message>
+    <message>
+        <source>No plan to export yet</source>
+        <translation>Nog geen plan om te exporteren</translation>
+    </message>
+    <message>
+        <source>Waits for the finished plan</source>
+        <translation>Wacht op het voltooide plan</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
     </message>
 </context>
 <context>

@@ -503,6 +503,26 @@
         <source>driven recorded GPX NMEA log cross-track error compare</source>
         <translation>percorrido gravado GPX NMEA desvio comparar</translation>
     </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>O que o mapa mostra</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Cores</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Tamanho de tudo</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Etapas</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Camada: números das passadas</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -597,15 +617,15 @@
         <translation>Etapa anterior</translation>
     </message>
     <message>
-        <source>Show the cells</source>
+        <source>Show the blocks</source>
         <translation>Mostrar os subtalhões</translation>
     </message>
     <message>
-        <source>Step of the cells</source>
+        <source>Step of the blocks</source>
         <translation>Etapa dos subtalhões</translation>
     </message>
     <message>
-        <source>Turns and ways from cell to cell, estimated.</source>
+        <source>Turns and ways from block to block, estimated.</source>
         <translation>Manobras e deslocamentos de um subtalhão a outro, estimados.</translation>
     </message>
 </context>
@@ -868,10 +888,10 @@
         <translation>Escolha outro formato ou terminal e relate isto.</translation>
     </message>
     <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>Os arquivos foram examinados quanto a %n tipo de erro em que os receptores tropeçam; não há nenhum.</numerusform>
-            <numerusform>Os arquivos foram examinados quanto a %n tipos de erros em que os receptores tropeçam; não há nenhum.</numerusform>
+            <numerusform>%n verificação aprovada: nada nos arquivos em que os terminais tropecem.</numerusform>
+            <numerusform>%n verificações aprovadas: nada nos arquivos em que os terminais tropecem.</numerusform>
         </translation>
     </message>
 </context>
@@ -1176,6 +1196,10 @@
         <source>Apply: %1</source>
         <translation>Aplicar: %1</translation>
     </message>
+    <message>
+        <source>For information</source>
+        <translation>Para informação</translation>
+    </message>
 </context>
 <context>
     <name>HeadingChart</name>
@@ -1327,10 +1351,6 @@
         <translation>linha de orientação</translation>
     </message>
     <message>
-        <source>Several moves</source>
-        <translation>Vários movimentos</translation>
-    </message>
-    <message>
         <source>Point %1 of the %2</source>
         <translation>Ponto %1 (%2)</translation>
     </message>
@@ -1423,10 +1443,6 @@
         <translation>Passada %1</translation>
     </message>
     <message>
-        <source>It is worked as number %1 of %2, %3 long, in %4.</source>
-        <translation>É trabalhada como número %1 de %2, %3 de comprimento, em %4.</translation>
-    </message>
-    <message>
         <source>Width</source>
         <translation>Largura</translation>
     </message>
@@ -1467,11 +1483,11 @@
         <translation>Assim não pode ser percorrido: %1.</translation>
     </message>
     <message>
-        <source>Cell %1</source>
+        <source>Block %1</source>
         <translation>Subtalhão %1</translation>
     </message>
     <message numerus="yes">
-        <source>A piece of the mainland whose %n swath(s) are driven together.</source>
+        <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
             <numerusform>Um pedaço do interior do talhão com %n passada.</numerusform>
             <numerusform>Um pedaço do interior do talhão cujas %n passadas são feitas juntas.</numerusform>
@@ -1510,15 +1526,11 @@
         <translation>Não faz parte do talhão. Arraste-o, ou seus pontos e lados.</translation>
     </message>
     <message>
-        <source>Finding %1</source>
-        <translation>Aviso %1</translation>
-    </message>
-    <message>
         <source>split line</source>
         <translation>linha de divisão</translation>
     </message>
     <message>
-        <source>The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
+        <source>The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
         <translation>O interior é dividido ao longo dela onde ela o atravessa por inteiro. Arraste a linha ou os pontos, ou exclua-a.</translation>
     </message>
     <message>
@@ -1528,6 +1540,14 @@
     <message>
         <source>%1 with the implement folded, in %2.</source>
         <translation>%1 com o implemento dobrado, em %2.</translation>
+    </message>
+    <message>
+        <source>Whole turn</source>
+        <translation>Manobra inteira</translation>
+    </message>
+    <message>
+        <source>Driven as number %1 of %2: %3 in %4.</source>
+        <translation>Percorrida como número %1 de %2: %3 em %4.</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1693,10 @@
     <message>
         <source>Wheel passes</source>
         <translation>Passagens de roda</translation>
+    </message>
+    <message>
+        <source>Swath numbers</source>
+        <translation>Números das passadas</translation>
     </message>
 </context>
 <context>
@@ -2271,7 +2295,7 @@
         <translation>Com bojo para um lado e volta reta; para passadas a menos de dois raios de giro.</translation>
     </message>
     <message>
-        <source>A cell gets a heading of its own where that saves time.</source>
+        <source>A block gets a heading of its own where that saves time.</source>
         <translation>Um subtalhão tem direção própria onde isso poupa tempo.</translation>
     </message>
     <message>
@@ -2319,7 +2343,7 @@
         <translation>Cruzando o declive: ao lado de uma curva de nível, e de uma nova onde não serve mais.</translation>
     </message>
     <message>
-        <source>After the mainland</source>
+        <source>After the swaths</source>
         <translation>Depois do interior</translation>
     </message>
     <message>
@@ -2355,7 +2379,7 @@
         <translation>Todas as passadas ao longo do lado escolhido do limite.</translation>
     </message>
     <message>
-        <source>All swaths along the longest straight edge of the mainland.</source>
+        <source>All swaths along the longest straight edge inside the headland.</source>
         <translation>Todas as passadas ao longo do lado reto mais longo do interior.</translation>
     </message>
     <message>
@@ -2443,7 +2467,7 @@
         <translation>No começo da primeira passada.</translation>
     </message>
     <message>
-        <source>Before the mainland</source>
+        <source>Before the swaths</source>
         <translation>Antes do interior</translation>
     </message>
     <message>
@@ -2519,11 +2543,11 @@
         <translation>Limite, obstáculos, entradas, cabeceira, passadas, percurso e avisos; para mapas e programas.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path as layers for a GIS.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path as layers for a GIS.</source>
         <translation>Limite, obstáculos, entradas, interior, passadas e percurso como camadas para um SIG.</translation>
     </message>
     <message>
-        <source>Boundary, obstacles, gates, mainland, swaths and path, a shapefile of each.</source>
+        <source>Boundary, obstacles, gates, inside of the headland, swaths and path, a shapefile of each.</source>
         <translation>Limite, obstáculos, entradas, interior, passadas e percurso, um shapefile de cada.</translation>
     </message>
     <message>
@@ -2547,7 +2571,7 @@
         <translation>Montado no trator, ou rebocado em um engate seguindo seu próprio rastro.</translation>
     </message>
     <message>
-        <source>Cells</source>
+        <source>Blocks</source>
         <translation>Subtalhões</translation>
     </message>
     <message>
@@ -2755,7 +2779,7 @@
         <translation>De fora para dentro</translation>
     </message>
     <message>
-        <source>From the boundary to the mainland; holds as many passes as fit.</source>
+        <source>From the boundary inwards; holds as many passes as fit.</source>
         <translation>Do limite ao interior do talhão; contém tantas passadas quantas couberem.</translation>
     </message>
     <message>
@@ -2823,8 +2847,8 @@
         <translation>A meia largura</translation>
     </message>
     <message>
-        <source>Halving the step</source>
-        <translation>Passo pela metade</translation>
+        <source>Quick search</source>
+        <translation>Busca rápida</translation>
     </message>
     <message>
         <source>Harvest</source>
@@ -2887,7 +2911,7 @@
         <translation>Como a máquina vai de uma passada à próxima.</translation>
     </message>
     <message>
-        <source>How the mainland is divided; the swaths of a cell are driven together.</source>
+        <source>How the field is divided; the swaths of a block are driven together.</source>
         <translation>Como o interior é dividido; as passadas de um subtalhão são feitas juntas.</translation>
     </message>
     <message>
@@ -2971,7 +2995,7 @@
         <translation>Linha</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
         <translation>Linhas em WGS84 ao longo das quais o interior é dividido; atravessam-no por completo ou terminam no máximo a uma largura de trabalho da borda.</translation>
     </message>
     <message>
@@ -3395,7 +3419,7 @@
         <translation>Caminho reto necessário antes de abaixar o implemento.</translation>
     </message>
     <message>
-        <source>Swath after swath over all of the mainland, whatever cuts them.</source>
+        <source>Swath after swath over all of the field, whatever cuts them.</source>
         <translation>Passada após passada por todo o interior, não importa o que as corte.</translation>
     </message>
     <message>
@@ -3407,7 +3431,7 @@
         <translation>Passadas</translation>
     </message>
     <message>
-        <source>Swaths go on from cell to cell.</source>
+        <source>Swaths go on from block to block.</source>
         <translation>As passadas continuam de um subtalhão ao outro.</translation>
     </message>
     <message>
@@ -3495,7 +3519,7 @@
         <translation>O engate dobra %1 em %2; são permitidos %3.</translation>
     </message>
     <message>
-        <source>The largest covered share of the mainland.</source>
+        <source>The largest covered share inside the headland.</source>
         <translation>A maior parte trabalhada do interior.</translation>
     </message>
     <message>
@@ -3539,7 +3563,7 @@
         <translation>Primeiro a passada junto ao limite.</translation>
     </message>
     <message>
-        <source>The pass along the mainland first.</source>
+        <source>The innermost pass first.</source>
         <translation>Primeiro a passada junto ao interior.</translation>
     </message>
     <message>
@@ -3755,7 +3779,7 @@
         <translation>Os caminhos ficam na cabeceira; não se passa sobre a cultura nem o leito de semeadura.</translation>
     </message>
     <message>
-        <source>Ways may cross the mainland.</source>
+        <source>Ways may cross worked land.</source>
         <translation>Os caminhos podem cruzar o interior.</translation>
     </message>
     <message>
@@ -3815,15 +3839,15 @@
         <translation>Por onde a máquina pode ir de passada a passada; segue da operação.</translation>
     </message>
     <message>
-        <source>Where the middle of the swath meets the mainland&apos;s edge.</source>
-        <translation>Onde o meio da passada encontra a borda do interior.</translation>
+        <source>Where the middle of the swath meets the headland.</source>
+        <translation>Onde o meio da passada encontra a cabeceira.</translation>
     </message>
     <message>
         <source>Where tramlines are counted from.</source>
         <translation>De onde se contam os rastros de pulverização.</translation>
     </message>
     <message>
-        <source>Whether cells have a heading of their own.</source>
+        <source>Whether blocks have a heading of their own.</source>
         <translation>Se os subtalhões têm direção própria.</translation>
     </message>
     <message>
@@ -3855,10 +3879,6 @@
         <translation>Largura trabalhada em uma passada.</translation>
     </message>
     <message>
-        <source>With the implement up, %1 are driven over worked land and %2 over land that is worked later; %3 is the longest.</source>
-        <translation>Com o implemento levantado, passa-se %1 sobre solo trabalhado e %2 sobre solo trabalhado depois; o mais longo é %3.</translation>
-    </message>
-    <message>
         <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
         <translation>Sem ré, sem virar as rodas mais rápido do que a máquina consegue (clotoides).</translation>
     </message>
@@ -3875,7 +3895,7 @@
         <translation>Velocidade de trabalho</translation>
     </message>
     <message>
-        <source>Working the soil: the mainland may be crossed.</source>
+        <source>Working the soil: worked land may be driven over.</source>
         <translation>Preparo do solo: o interior pode ser cruzado.</translation>
     </message>
     <message>
@@ -4651,7 +4671,7 @@
         <translation>nenhum pixel da imagem está trabalhado</translation>
     </message>
     <message>
-        <source>no swath fits into the mainland</source>
+        <source>no swath fits inside the headland</source>
         <translation>não cabe nenhuma passada no interior do talhão</translation>
     </message>
     <message>
@@ -5619,11 +5639,11 @@
         <translation>O que uma máquina percorreu.</translation>
     </message>
     <message>
-        <source>split line %1 ends %2 short of the mainland&apos;s edge and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>a linha de divisão %1 termina %2 antes da borda do interior e ali não separa nada (decomposition.split); trace-a de lado a lado</translation>
+        <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
+        <translation>a linha de divisão %1 termina %2 antes da cabeceira e não separa nada ali (decomposition.split); trace-a de lado a lado</translation>
     </message>
     <message>
-        <source>split line %1 lies outside of the mainland and cuts nothing (decomposition.split)</source>
+        <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
         <translation>a linha de divisão %1 fica fora do interior e não divide nada (decomposition.split)</translation>
     </message>
     <message numerus="yes">
@@ -5689,7 +5709,7 @@
         </translation>
     </message>
     <message>
-        <source>A headland of %1 holds %2; it is %3 wide, and the rest is mainland</source>
+        <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
         <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura, e o resto é interior do talhão</translation>
     </message>
     <message>
@@ -5797,7 +5817,7 @@
         <translation>escolha uma máquina menor ou uma margem menor (%1)</translation>
     </message>
     <message>
-        <source>no row is left in the mainland</source>
+        <source>no row is left inside the headland</source>
         <translation>não sobra nenhuma fileira no interior do talhão</translation>
     </message>
     <message>
@@ -5805,7 +5825,7 @@
         <translation>pule menos fileiras</translation>
     </message>
     <message>
-        <source>no row lies in the mainland</source>
+        <source>no row lies inside the headland</source>
         <translation>não há nenhuma fileira no interior do talhão</translation>
     </message>
     <message>
@@ -5905,7 +5925,7 @@
         <translation>Pontas das passadas</translation>
     </message>
     <message>
-        <source>Heading of cells</source>
+        <source>Heading of blocks</source>
         <translation>Direção dos subtalhões</translation>
     </message>
     <message>
@@ -6025,7 +6045,7 @@
         <translation>%1; a máquina mantém pelo menos %2 da borda.</translation>
     </message>
     <message numerus="yes">
-        <source>%n cells</source>
+        <source>%n blocks</source>
         <translation>
             <numerusform>%n subtalhão</numerusform>
             <numerusform>%n subtalhões</numerusform>
@@ -6100,7 +6120,7 @@
         <translation>Nenhuma ordem destas passadas é melhor; isso está provado.</translation>
     </message>
     <message>
-        <source>Nothing divides the swaths: one cell.</source>
+        <source>Nothing divides the swaths: one block.</source>
         <translation>Nada divide as passadas: um subtalhão.</translation>
     </message>
     <message>
@@ -6112,7 +6132,7 @@
         <translation>Uma volta trabalha o talhão todo.</translation>
     </message>
     <message numerus="yes">
-        <source>Swaths are interrupted by corners or obstacles: %n cells.</source>
+        <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
         <translation>
             <numerusform>Cantos ou obstáculos interrompem as passadas: %n subtalhão.</numerusform>
             <numerusform>Cantos ou obstáculos interrompem as passadas: %n subtalhões.</numerusform>
@@ -6206,6 +6226,10 @@
         <source>way straight on</source>
         <translation>trajeto reto</translation>
     </message>
+    <message>
+        <source>%1 are driven over the field with the implement up; longest: %2.</source>
+        <translation>%1 são percorridos sobre o talhão com o implemento levantado; o mais longo: %2.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6218,8 +6242,8 @@
         <translation>Idioma</translation>
     </message>
     <message>
-        <source>As the computer</source>
-        <translation>Como o computador</translation>
+        <source>Same as this computer</source>
+        <translation>Como este computador</translation>
     </message>
     <message>
         <source>Units</source>
@@ -6699,6 +6723,14 @@
     <message>
         <source>Compare</source>
         <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Hide the steps</source>
+        <translation>Ocultar as etapas</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Mostrar as etapas</translation>
     </message>
 </context>
 <context>
@@ -7293,7 +7325,7 @@
 <context>
     <name>furrow::CellSteps</name>
     <message numerus="yes">
-        <source>%n cell(s), %1</source>
+        <source>%n block(s), %1</source>
         <translation>
             <numerusform>%n subtalhão, %1</numerusform>
             <numerusform>%n subtalhões, %1</numerusform>
@@ -7320,11 +7352,11 @@
         <translation>Como foi dividido.</translation>
     </message>
     <message>
-        <source>The two marked cells become one: that saves %1.</source>
+        <source>The two marked blocks become one: that saves %1.</source>
         <translation>Os dois subtalhões marcados viram um só: isso economiza %1.</translation>
     </message>
     <message>
-        <source>Cells in which no swath lies go to their neighbours.</source>
+        <source>Blocks in which no swath lies go to their neighbours.</source>
         <translation>Subtalhões sem passadas vão para os vizinhos.</translation>
     </message>
 </context>
@@ -7815,7 +7847,7 @@
         <translation>Do talhão, sem vazios nem obstáculos</translation>
     </message>
     <message>
-        <source>Mainland</source>
+        <source>Inside the headland</source>
         <translation>Interior do talhão</translation>
     </message>
     <message>
@@ -7861,6 +7893,26 @@
     <message>
         <source>Share of the field that is worked twice</source>
         <translation>Parte do talhão trabalhada duas vezes</translation>
+    </message>
+    <message>
+        <source>Land that is not worked</source>
+        <translation>Área que não é trabalhada</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached by the implement, mostly in corners; %2 could be.</source>
+        <translation>A %1 o implemento não chega, quase sempre em cantos; a %2 poderia chegar.</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Não trabalhado</translation>
+    </message>
+    <message>
+        <source>Outside the field</source>
+        <translation>Fora do talhão</translation>
+    </message>
+    <message>
+        <source>Ground outside that the machine or its implement drives over</source>
+        <translation>Solo de fora por onde a máquina ou o implemento passa</translation>
     </message>
 </context>
 <context>
@@ -8485,7 +8537,7 @@
 <context>
     <name>furrow::StepsModel</name>
     <message>
-        <source>mainland %1</source>
+        <source>%1 inside</source>
         <translation>interior %1</translation>
     </message>
     <message numerus="yes">
@@ -8496,7 +8548,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n cell(s)</source>
+        <source>%n block(s)</source>
         <translation>
             <numerusform>%n subtalhão</numerusform>
             <numerusform>%n subtalhões</numerusform>
@@ -8626,6 +8678,22 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>To a stick, to files or on paper</source>
+        <translation>Para pen drive, arquivos ou papel</translation>
+    </message>
+    <message>
+        <source>No plan to export yet</source>
+        <translation>Ainda não há plano para exportar</translation>
+    </message>
+    <message>
+        <source>Waits for the finished plan</source>
+        <translation>Aguarda o plano pronto</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
     </message>
 </context>
 <context>

@@ -354,9 +354,8 @@ private:
         // The machine may drive over one lane at its end.
         if (traffic.onWorkedM + traffic.onUnworkedM > 1.5 * measured_.shape.operatingWidthM) {
             add(Severity::Note, FindingKind::LanesCrossed, traffic.longestPlace,
-                message("With the implement up, {:.0f} m are driven over worked land and {:.0f} m over land "
-                        "that is worked later; {} is the longest.",
-                        traffic.onWorkedM, traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
+                message("{:.0f} m are driven over the field with the implement up; longest: {}.",
+                        traffic.onWorkedM + traffic.onUnworkedM, segmentName(input_, traffic.longestSegment)),
                 "", traffic.longestSegment);
         }
     }

@@ -266,8 +266,8 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
 }
 
 constexpr Choice kHeadings[] = {
-    {"common", "One for all", "Swaths go on from cell to cell."},
-    {"per-cell", "Each its own", "A cell gets a heading of its own where that saves time."},
+    {"common", "One for all", "Swaths go on from block to block."},
+    {"per-cell", "Each its own", "A block gets a heading of its own where that saves time."},
 };
 
 }  // namespace
@@ -276,7 +276,7 @@ const Parameter kSplit{
     .key = "decomposition.split",
     .name = "Split lines",
     .description =
-        "Lines in WGS84 along which the mainland is cut; they run right through it, or end no farther than an operating width "
+        "Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width "
         "from its edge.",
     .kind = ParameterKind::Lines,
     .standard = {},
@@ -288,7 +288,7 @@ bool hasHeadingPerCell(const Settings& settings) {
 
 const Parameter kCellHeading{.key = "decomposition.heading",
                              .name = "Heading",
-                             .description = "Whether cells have a heading of their own.",
+                             .description = "Whether blocks have a heading of their own.",
                              .kind = ParameterKind::Choice,
                              .standard = 0.0,
                              .choices = kHeadings};
@@ -296,7 +296,7 @@ const Parameter kCellHeading{.key = "decomposition.heading",
 const Method<Decomposer> kOnePieceMethod{
     .info = {.id = "none",
              .name = "One piece",
-             .description = "Swath after swath over all of the mainland, whatever cuts them.",
+             .description = "Swath after swath over all of the field, whatever cuts them.",
              .parameters = {}},
     .run = onePiece};
 

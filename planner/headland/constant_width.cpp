@@ -36,8 +36,9 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
     wanted.width = givenWidth ? heldWidth(*givenWidth, task) : widthOfPasses(wanted.passes, task);
     if (givenWidth && *givenWidth - wanted.width > kWorthTelling) {
         wanted.notes.push_back(
-            {message("A headland of {:.1f} m holds {}; it is {:.1f} m wide, and the rest is mainland",
-                     givenWidth->si(), counted("{} pass", "{} passes", wanted.passes), wanted.width.si()),
+            {message(
+                 "A headland of {:.1f} m holds {}; it is {:.1f} m wide, and the rest belongs to the swaths",
+                 givenWidth->si(), counted("{} pass", "{} passes", wanted.passes), wanted.width.si()),
              "headland",
              {}});
     }
@@ -53,18 +54,17 @@ constexpr const Parameter* kParameters[] = {&kHeadlandPasses, &kHeadlandWidth, &
 
 }  // namespace
 
-const Parameter kHeadlandWidth{
-    .key = "headland.width_m",
-    .name = "Width",
-    .description = "From the boundary to the mainland; holds as many passes as fit.",
-    .kind = ParameterKind::Length,
-    .standard = {},
-    .canBeAuto = true,
-    .min = 0.0,
-    .max = 500.0,
-    .step = 0.5,
-    .choices = {},
-    .excludes = "headland.passes"};
+const Parameter kHeadlandWidth{.key = "headland.width_m",
+                               .name = "Width",
+                               .description = "From the boundary inwards; holds as many passes as fit.",
+                               .kind = ParameterKind::Length,
+                               .standard = {},
+                               .canBeAuto = true,
+                               .min = 0.0,
+                               .max = 500.0,
+                               .step = 0.5,
+                               .choices = {},
+                               .excludes = "headland.passes"};
 
 const Parameter kHeadlandPasses{.key = "headland.passes",
                                 .name = "Passes",

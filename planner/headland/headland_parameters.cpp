@@ -6,11 +6,11 @@ namespace {
 
 constexpr Choice kOrders[] = {
     {"outside-in", "From outside in", "The pass along the boundary first."},
-    {"inside-out", "From inside out", "The pass along the mainland first."},
+    {"inside-out", "From inside out", "The innermost pass first."},
 };
 constexpr Choice kTimes[] = {
-    {"before", "Before the mainland", "The headland is worked first."},
-    {"after", "After the mainland", "The headland is worked last."},
+    {"before", "Before the swaths", "The headland is worked first."},
+    {"after", "After the swaths", "The headland is worked last."},
 };
 constexpr Choice kDirections[] = {
     {"counter-clockwise", "Counter-clockwise", "Seen from above, turning left at corners."},

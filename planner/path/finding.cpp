@@ -36,6 +36,25 @@ std::string_view kindId(FindingKind kind) {
     return {};
 }
 
+Weight weightOf(const Finding& finding) {
+    if (finding.severity == Severity::Blocking) {
+        return Weight::Blocks;
+    }
+    if (finding.change) {
+        return Weight::Look;
+    }
+    switch (finding.kind) {
+        case FindingKind::LanesCrossed:
+        case FindingKind::Overhang:
+        case FindingKind::TurnKind:
+        case FindingKind::Folded:
+        case FindingKind::Repair:
+        case FindingKind::Instead:
+        case FindingKind::Setting: return Weight::Information;
+        default: return Weight::Look;
+    }
+}
+
 std::string_view kindId(const Finding& finding) {
     return finding.kind == FindingKind::Setting ? std::string_view{finding.setting} : kindId(finding.kind);
 }

@@ -67,6 +67,16 @@ struct Finding {
     friend bool operator==(const Finding&, const Finding&) = default;
 };
 
+/// How much a finding matters to whoever drives.
+enum class Weight {
+    Blocks,       ///< the plan cannot be driven as it is
+    Look,         ///< costs something or wants a decision
+    Information,  ///< is just so: a choice that was made, a drawing error that was put right
+};
+
+/// What blocks; what can be changed or leaves land or a machine's limit out; and all the rest.
+Weight weightOf(const Finding& finding);
+
 /// "outside", "missed", "swaths.min_length_m": as files and the command line name it.
 std::string_view kindId(const Finding& finding);
 std::string_view kindId(FindingKind kind);

@@ -36,14 +36,14 @@ constexpr double kUsualRounds = 2.0;
 
 constexpr PlanChoice kHeadland{.id = "headland", .name = "Headland"};
 constexpr PlanChoice kHeading{.id = "heading", .name = "Heading"};
-constexpr PlanChoice kCells{.id = "cells", .name = "Cells"};
+constexpr PlanChoice kCells{.id = "cells", .name = "Blocks"};
 constexpr PlanChoice kSwathOrder{.id = "order", .name = "Order of swaths"};
 constexpr PlanChoice kLast{.id = "last-pass", .name = "Last pass"};
 constexpr PlanChoice kSwathEnds{.id = "ends", .name = "Ends of swaths"};
 constexpr PlanChoice kObstacles{.id = "obstacles", .name = "Small obstacles"};
 constexpr PlanChoice kPasses{.id = "headland-passes", .name = "Headland passes"};
 
-const Message kHeadingOfCells{"Heading of cells"};
+const Message kHeadingOfCells{"Heading of blocks"};
 
 using Changes = std::vector<SettingChange>;
 

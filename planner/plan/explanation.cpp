@@ -186,19 +186,19 @@ std::optional<Message> whyCells(const Plan& plan) {
     const DecompositionHistory& history = plan.cells.history;
     const auto pieces = static_cast<int>(history.pieces.size());
     if (cells == 1 && pieces <= 1) {
-        return message("Nothing divides the swaths: one cell.");
+        return message("Nothing divides the swaths: one block.");
     }
     if (history.steps.size() > 1 && pieces > cells) {
         const Duration saved = history.steps.front().cost - history.steps.back().cost;
         return saved.si() >= kWorthTellingS
                    ? message(
                          "Cut into {} pieces where swaths are interrupted; joining them to {} saves {} of turns and ways.",
-                         pieces, counted("{} cell", "{} cells", cells), timeMessage(saved))
+                         pieces, counted("{} block", "{} blocks", cells), timeMessage(saved))
                    : message("Cut into {} pieces where swaths are interrupted, joined to {}.", pieces,
-                             counted("{} cell", "{} cells", cells));
+                             counted("{} block", "{} blocks", cells));
     }
-    return counted("Swaths are interrupted by corners or obstacles: {} cell.",
-                   "Swaths are interrupted by corners or obstacles: {} cells.", cells);
+    return counted("Swaths are interrupted by corners or obstacles: {} block.",
+                   "Swaths are interrupted by corners or obstacles: {} blocks.", cells);
 }
 
 // Order.

@@ -77,10 +77,10 @@ struct Registry {
                       kSwathParameters};
     StageEntry decomposition{kDecompositionMethods,
                              "decomposition",
-                             "Cells",
+                             "Blocks",
                              "decomposition.method",
-                             "Cells",
-                             "How the mainland is divided; the swaths of a cell are driven together.",
+                             "Blocks",
+                             "How the field is divided; the swaths of a block are driven together.",
                              kCellParameters};
     StageEntry route{kRouteMethods,   "route", "Route",
                      "route.method",  "Order", "In which order the swaths are driven.",

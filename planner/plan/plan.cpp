@@ -39,6 +39,7 @@ void addNotes(Plan& plan) {
                                  .text = message("Repaired in {}: {}.", repair.where, repair.text),
                                  .suggestion = ""});
     }
+    std::ranges::stable_sort(plan.findings, {}, weightOf);
 }
 
 /// The plan of all stages, put together.
@@ -104,7 +105,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     if (!choice) {
         return std::unexpected(choice.error());
     }
-    const std::shared_ptr<Plan> plan = planOf(request, *choice);
+    std::shared_ptr<Plan> plan = planOf(request, *choice);
     const PlannedStages& stages = choice->stages;
     if (!request.draft && routeMethod(request.settings).traits.isByTime && !plan->route.steps.empty()) {
         const auto proof = proofStage({.request = stages.request,

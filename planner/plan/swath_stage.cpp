@@ -31,10 +31,10 @@ Note noteOf(const SplitFault& fault, const LocalFrame& frame) {
     const Message text =
         fault.missing
             ? message(
-                  "split line {} ends {:.1f} m short of the mainland's edge and cuts nothing off there (decomposition.split); "
+                  "split line {} ends {:.1f} m short of the headland and cuts nothing off there (decomposition.split); "
                   "draw it right through",
                   number, fault.missing->si())
-            : message("split line {} lies outside of the mainland and cuts nothing (decomposition.split)",
+            : message("split line {} does not lie inside the headland and cuts nothing (decomposition.split)",
                       number);
     return {.text = text, .where = std::string{kSplit.key}, .place = frame.toGeo(fault.place)};
 }

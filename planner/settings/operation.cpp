@@ -36,7 +36,7 @@ std::span<const Operation> operations() {
 }
 
 constexpr Choice kKinds[] = {
-    {"tillage", "Tillage", "Working the soil: the mainland may be crossed."},
+    {"tillage", "Tillage", "Working the soil: worked land may be driven over."},
     {"sowing", "Sowing", "Drilling or planting: headland last, ways along the headland."},
     {"spraying", "Spraying", "Crop protection: headland first, ways along the headland."},
     {"spreading", "Spreading", "Fertiliser or manure: headland first, ways along the headland."},

@@ -7,7 +7,7 @@ namespace furrow {
 namespace {
 
 constexpr Choice kTraversals[] = {
-    {"interior", "Anywhere", "Ways may cross the mainland."},
+    {"interior", "Anywhere", "Ways may cross worked land."},
     {"headland", "Along the headland", "Ways keep to the headland; crop and seedbed are not driven over."},
     {"boundary", "Along the boundary", "Ways keep to the field's edge."},
 };

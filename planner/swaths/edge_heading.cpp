@@ -75,7 +75,7 @@ const Method<SwathGenerator> kEdgeMethod{
 const Method<SwathGenerator> kLongestEdgeMethod{
     .info = {.id = "longest-edge",
              .name = "Along the longest edge",
-             .description = "All swaths along the longest straight edge of the mainland.",
+             .description = "All swaths along the longest straight edge inside the headland.",
              .parameters = {}},
     .run = longestEdge};
 

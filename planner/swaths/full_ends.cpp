@@ -287,7 +287,7 @@ private:
 
 constexpr Choice kEndKinds[] = {
     {"full", "Full width", "Drawn out until the whole width is covered, as far as there is room."},
-    {"centre", "Centre line", "Where the middle of the swath meets the mainland's edge."},
+    {"centre", "Centre line", "Where the middle of the swath meets the headland."},
 };
 
 }  // namespace

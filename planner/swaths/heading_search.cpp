@@ -65,7 +65,7 @@ Error tooManyTracks(const SwathSpacing& spacing) {
 
 Error noSwathFits() {
     return {.code = ErrorCode::InputRefused,
-            .what = "no swath fits into the mainland",
+            .what = "no swath fits inside the headland",
             .where = "swaths",
             .remedy = "choose a narrower headland or a narrower machine"};
 }

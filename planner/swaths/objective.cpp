@@ -11,7 +11,7 @@ constexpr Choice kObjectives[] = {
     {"swath-count", "Fewest swaths", "As few swaths, and so turns, as possible."},
     {"swath-length", "Shortest swaths",
      "The least metres driven in swaths, with what is missed added as metres."},
-    {"coverage", "Most covered", "The largest covered share of the mainland."},
+    {"coverage", "Most covered", "The largest covered share inside the headland."},
     {"overlap", "Least overlap", "The smallest area worked twice."},
 };
 

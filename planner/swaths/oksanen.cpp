@@ -63,7 +63,7 @@ constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge};
 
 const Method<SwathGenerator> kOksanenMethod{
     .info = {.id = "oksanen",
-             .name = "Halving the step",
+             .name = "Quick search",
              .description = "Six directions, then ever finer around the best three (Oksanen & Visala).",
              .parameters = kParameters},
     .run = oksanen,

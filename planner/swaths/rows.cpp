@@ -115,12 +115,12 @@ std::vector<Row> between(const std::vector<Row>& rows) {
 Error noRowLeft(bool areSkipped) {
     if (areSkipped) {
         return {.code = ErrorCode::InputRefused,
-                .what = "no row is left in the mainland",
+                .what = "no row is left inside the headland",
                 .where = std::string{kSkipRows.key},
                 .remedy = "skip fewer rows"};
     }
     return {.code = ErrorCode::InputRefused,
-            .what = "no row lies in the mainland",
+            .what = "no row lies inside the headland",
             .where = std::string{kRows.key},
             .remedy = "check that the rows belong to this field, or choose a narrower headland"};
 }

@@ -1,3 +1,4 @@
+pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Controls
 import Furrow.Controls
@@ -48,6 +49,7 @@ QtObject {
     signal tourRequested()
     signal quitRequested()
     signal panelRequested()
+    signal stepsRequested()
     signal imageryRequested()
     signal tileFolderRequested()
 
@@ -57,12 +59,16 @@ QtObject {
     readonly property string planGroup: qsTr("Plan")
     readonly property string viewGroup: qsTr("View")
     readonly property string helpGroup: qsTr("Help")
+    readonly property string layersMenu: qsTr("What the map shows")
+    readonly property string coloursMenu: qsTr("Colours")
+    readonly property string sizeMenu: qsTr("Size of everything")
 
     component LayerCommand: Command {
         required property string layer
 
         objectName: "command.layer." + layer
         group: root.viewGroup
+        submenu: root.layersMenu
         checkable: true
         checked: root.layersPanel.layers[layer]
         onTriggered: root.layersPanel.layers[layer] = checked
@@ -73,6 +79,7 @@ QtObject {
 
         objectName: "command.scale." + percent
         group: root.viewGroup
+        submenu: root.sizeMenu
         text: qsTr("Everything at %1 %").arg(percent)
         keywords: qsTr("size scaling zoom large text")
         checkable: true
@@ -488,6 +495,13 @@ QtObject {
             onTriggered: root.page.camera.zoomBy(-1)
         },
         Command {
+            objectName: "command.steps"
+            group: root.viewGroup
+            text: qsTr("Steps")
+            shortcut: "F7"
+            onTriggered: root.stepsRequested()
+        },
+        Command {
             objectName: "command.panel"
             group: root.viewGroup
             text: qsTr("Results panel")
@@ -512,7 +526,8 @@ QtObject {
         LayerCommand { layer: "swaths"; text: qsTr("Layer: swaths") },
         LayerCommand { layer: "turns"; text: qsTr("Layer: turns") },
         LayerCommand { layer: "directions"; text: qsTr("Layer: driving direction") },
-        LayerCommand { layer: "numbers"; text: qsTr("Layer: order numbers") },
+        LayerCommand { layer: "numbers"; text: qsTr("Layer: swath numbers") },
+        LayerCommand { layer: "order"; text: qsTr("Layer: order numbers") },
         LayerCommand { layer: "coverage"; text: qsTr("Layer: coverage") },
         LayerCommand { layer: "overlap"; text: qsTr("Layer: worked twice"); keywords: qsTr("overlap") },
         LayerCommand { layer: "missed"; text: qsTr("Layer: missed"); keywords: qsTr("gap uncovered") },
@@ -529,6 +544,7 @@ QtObject {
         Command {
             objectName: "command.light"
             group: root.viewGroup
+            submenu: root.coloursMenu
             text: qsTr("Light colours")
             keywords: qsTr("theme")
             onTriggered: root.setTheme(Theme.Light)
@@ -536,6 +552,7 @@ QtObject {
         Command {
             objectName: "command.dark"
             group: root.viewGroup
+            submenu: root.coloursMenu
             text: qsTr("Dark colours")
             keywords: qsTr("theme night")
             onTriggered: root.setTheme(Theme.Dark)
@@ -543,6 +560,7 @@ QtObject {
         Command {
             objectName: "command.sunlight"
             group: root.viewGroup
+            submenu: root.coloursMenu
             text: qsTr("Sunlight colours")
             keywords: qsTr("theme contrast")
             onTriggered: root.setTheme(Theme.Sunlight)

@@ -15,16 +15,26 @@ T.MenuBar {
     implicitHeight: Theme.controlHeight
     leftPadding: 8
 
-    component Group: ThemedMenu {
+    /// With Alt, the first letter of a title that no title before it has.
+    readonly property var letters: {
+        const taken = [];
+        for (const title of root.titles) {
+            let at = 0;
+            while (at + 1 < title.length && taken.includes(title[at].toLowerCase()))
+                ++at;
+            taken.push(title[at].toLowerCase());
+        }
+        return taken;
+    }
+    readonly property list<string> titles: [commands.fileGroup, commands.editGroup, commands.fieldGroup, commands.planGroup, commands.viewGroup, commands.helpGroup]
+
+    component Entries: ThemedMenu {
         id: menu
 
-        required property string group
-
-        objectName: "menu." + group
-        title: group
+        required property var entries
 
         Instantiator {
-            model: root.commands.inGroup(menu.group)
+            model: menu.entries
             delegate: ThemedMenuItem {
                 required property Command modelData
 
@@ -34,6 +44,20 @@ T.MenuBar {
             onObjectAdded: (index, object) => menu.insertItem(index, object as ThemedMenuItem)
             onObjectRemoved: (index, object) => menu.removeItem(object as ThemedMenuItem)
         }
+    }
+    component Group: Entries {
+        required property string group
+
+        objectName: "menu." + group
+        title: root.marked(group)
+        entries: root.commands.inGroup(group).filter(command => command.submenu.length === 0)
+    }
+    component Submenu: Entries {
+        required property string name
+
+        objectName: "menu." + name
+        title: name
+        entries: root.commands.all.filter(command => command.submenu === name)
     }
 
     background: Rectangle {
@@ -47,10 +71,10 @@ T.MenuBar {
     delegate: T.MenuBarItem {
         id: entry
 
-        objectName: menu ? "bar." + menu.title : ""
+        objectName: menu ? "bar." + menu.title.replace("&", "") : ""
         implicitWidth: label.implicitWidth + 20
         implicitHeight: Theme.controlHeight
-        Accessible.name: text
+        Accessible.name: text.replace("&", "")
         background: Rectangle {
             anchors { fill: parent; margins: 3 }
             radius: 6
@@ -60,7 +84,8 @@ T.MenuBar {
         contentItem: BodyText {
             id: label
 
-            text: entry.text.replace("&", "")
+            text: entry.text.replace(/&(.)/, "<u>$1</u>")
+            textFormat: Text.StyledText
             horizontalAlignment: Text.AlignHCenter
             verticalAlignment: Text.AlignVCenter
         }
@@ -73,6 +98,19 @@ T.MenuBar {
     Group { group: root.commands.editGroup }
     Group { group: root.commands.fieldGroup }
     Group { group: root.commands.planGroup }
-    Group { group: root.commands.viewGroup }
+    Group {
+        group: root.commands.viewGroup
+
+        Submenu { name: root.commands.layersMenu }
+        Submenu { name: root.commands.coloursMenu }
+        Submenu { name: root.commands.sizeMenu }
+    }
     Group { group: root.commands.helpGroup }
+
+    /// A title with its letter for Alt.
+    function marked(title: string): string {
+        const letter = root.letters[root.titles.indexOf(title)];
+        const at = title.toLowerCase().indexOf(letter);
+        return at < 0 ? title : title.slice(0, at) + "&" + title.slice(at);
+    }
 }

@@ -4,6 +4,8 @@ import QtQuick.Templates as T
 T.Action {
     /// The menu that it stands in, in words.
     required property string group
+    /// In this menu of that menu; empty for none.
+    property string submenu: ""
     /// What it is called wherever that says nothing of the moment.
     property string name: text
     /// Found by these words, too.

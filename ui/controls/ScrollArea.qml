@@ -5,6 +5,8 @@ import QtQuick.Templates as T
 Flickable {
     id: root
 
+    /// Of what lies behind it.
+    property color ground: Theme.panel
     readonly property Item focused: Window.activeFocusItem
 
     boundsBehavior: Flickable.StopAtBounds
@@ -26,6 +28,19 @@ Flickable {
             radius: 2
             color: bar.pressed ? Theme.muted : Theme.line
             visible: root.interactive
+        }
+    }
+
+    // Below the edge there is more.
+    Rectangle {
+        parent: root
+        z: 1
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: 28
+        visible: root.interactive && root.contentY < root.contentHeight - root.height - 4
+        gradient: Gradient {
+            GradientStop { position: 0; color: Qt.alpha(root.ground, 0) }
+            GradientStop { position: 1; color: root.ground }
         }
     }
 

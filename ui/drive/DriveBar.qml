@@ -12,7 +12,7 @@ Rectangle {
     property bool follows: false
     /// With room for little.
     property bool slim: false
-    readonly property bool narrow: width < 560
+    readonly property bool narrow: width < 680
     signal hideRequested()
 
     objectName: "driveBar"

@@ -39,6 +39,8 @@ class FieldEditor : public QObject {
     Q_PROPERTY(bool hasSelection READ hasSelection NOTIFY selectionChanged FINAL)
     /// Of the path; -1 where something else is selected, or nothing.
     Q_PROPERTY(int selectedSegment READ selectedSegment NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(int selectedCell READ selectedCell NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(int selectedFinding READ selectedFinding NOTIFY selectionChanged FINAL)
 
 public:
     enum class Tool { Select, Field, Hole, Obstacle, Guide, Split, Gate };
@@ -75,6 +77,12 @@ public:
     bool isAhead() const;
     bool hasSelection() const { return !selection_.isNone(); }
     bool canDelete() const;
+    int selectedCell() const {
+        return selection_.kind == Selection::Kind::Cell ? static_cast<int>(selection_.index) : -1;
+    }
+    int selectedFinding() const {
+        return selection_.kind == Selection::Kind::Finding ? static_cast<int>(selection_.index) : -1;
+    }
     int selectedSegment() const {
         return selection_.kind == Selection::Kind::Segment ? static_cast<int>(selection_.index) : -1;
     }

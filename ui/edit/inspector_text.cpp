@@ -1,7 +1,7 @@
 #include "ui/edit/inspector_text.h"
 
 #include "planner/editing/outline_edits.h"
-#include "planner/plan/method_registry.h"
+#include "planner/path/turn_shape.h"
 #include "planner/units/angle.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -58,17 +58,6 @@ double bearingDegOf(Point way) {
     return bearing < 0.0 ? bearing + 360.0 : bearing;
 }
 
-/// Of a method, where the turn is one alone.
-QString nameOfTurn(std::string_view id) {
-    for (const StageInfo& stage : stages()) {
-        const auto method = std::ranges::find(stage.methods, id, &MethodInfo::id);
-        if (stage.id == "path" && method != stage.methods.end()) {
-            return shown(method->name);
-        }
-    }
-    return Words::tr("Several moves");
-}
-
 Area areaOf(const Outline& outline) {
     return Area::fromSi(std::abs(signedAreaM2(outline.points)));
 }
@@ -91,7 +80,7 @@ InspectorText vertexText(const Outline& outline, std::size_t vertex) {
 
 QString splitSentence() {
     return Words::tr(
-        "The mainland is cut along it, where it runs right through. Drag it or its points, or delete it.");
+        "The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.");
 }
 
 /// How far the implement may stand over an edge or an obstacle.
@@ -171,6 +160,21 @@ InspectorText obstacleText(const Outline& outline, const Obstacle& obstacle) {
     return text;
 }
 
+/// The whole turn that a segment is a part of, as a driver would call it.
+void addTurn(InspectorText& text, const Plan& plan, std::size_t index) {
+    for (const DrivenTurn& turn : drivenTurns(plan.path)) {
+        if (index < turn.firstSegment || index >= turn.firstSegment + turn.segmentCount) {
+            continue;
+        }
+        text.rows.push_back(figure(Words::tr("Kind"), shown(nameOf(turn.shape))));
+        if (turn.segmentCount > 1) {
+            text.rows.push_back(figure(Words::tr("Whole turn"),
+                                       inOneLine({metresText(turn.length, 1), durationText(turn.duration)})));
+        }
+        return;
+    }
+}
+
 InspectorText segmentText(const Plan& plan, std::size_t index) {
     const PathSegment& segment = plan.path.segments[index];
     const PathSegment* before = plan.path.workBefore(index);
@@ -191,7 +195,7 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
                 plan.path.segments.begin(),
                 plan.path.segments.begin() + static_cast<std::ptrdiff_t>(index) + 1,
                 [](const PathSegment& each) { return each.kind == SegmentKind::Swath; });
-            text.sentence = Words::tr("It is worked as number %1 of %2, %3 long, in %4.")
+            text.sentence = Words::tr("Driven as number %1 of %2: %3 in %4.")
                                 .arg(order)
                                 .arg(plan.route.steps.size())
                                 .arg(length, time);
@@ -212,7 +216,7 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
             text.sentence = segment.gear == Gear::Reverse
                                 ? Words::tr("%1 in reverse, in %2.").arg(length, time)
                                 : Words::tr("%1 with the implement up, in %2.").arg(length, time);
-            text.rows.push_back(figure(Words::tr("Kind"), nameOfTurn(segment.turnType)));
+            addTurn(text, plan, index);
             break;
         case SegmentKind::Transfer:
         case SegmentKind::Refill:
@@ -233,8 +237,8 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
 InspectorText cellText(const Plan& plan, std::size_t index) {
     const Cell& cell = plan.cells.cells[index];
     InspectorText text;
-    text.title = Words::tr("Cell %1").arg(index + 1);
-    text.sentence = Words::tr("A piece of the mainland whose %n swath(s) are driven together.", nullptr,
+    text.title = Words::tr("Block %1").arg(index + 1);
+    text.sentence = Words::tr("A piece of the field whose %n swath(s) are driven together.", nullptr,
                               static_cast<int>(cell.swaths.size()));
     text.rows = {figure(Words::tr("Area"), areaText(area(cell.outline))),
                  figure(Words::tr("Swaths"), QString::number(cell.swaths.size()))};
@@ -307,17 +311,7 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
         case Selection::Kind::Cell:
             return plan != nullptr && index < plan->cells.cells.size() ? std::optional{cellText(*plan, index)}
                                                                        : std::nullopt;
-        case Selection::Kind::Finding:
-            if (plan != nullptr && index < plan->findings.size()) {
-                InspectorText text;
-                text.title = Words::tr("Finding %1").arg(index + 1);
-                text.sentence = shown(plan->findings[index].text);
-                if (!plan->findings[index].suggestion.empty()) {
-                    text.sentence += QLatin1Char('\n') + shown(plan->findings[index].suggestion);
-                }
-                return text;
-            }
-            break;
+        case Selection::Kind::Finding: break;  // its row in the list says all of it
     }
     return std::nullopt;
 }

@@ -22,7 +22,7 @@ Column {
         BodyText {
             objectName: "export.checked"
             width: parent.width - 28
-            text: qsTr("The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.", "", root.checks)
+            text: qsTr("%n check(s) passed: nothing in the files that receivers stumble over.", "", root.checks)
             wrapMode: Text.Wrap
         }
     }

@@ -13,6 +13,7 @@ Grid {
     property bool turns: true
     property bool directions: true
     property bool numbers: true
+    property bool order: false
     property bool coverage: false
     property bool overlap: false
     property bool missed: true
@@ -37,6 +38,7 @@ Grid {
         property alias turns: root.turns
         property alias directions: root.directions
         property alias numbers: root.numbers
+        property alias order: root.order
         property alias coverage: root.coverage
         property alias overlap: root.overlap
         property alias missed: root.missed
@@ -100,10 +102,17 @@ Grid {
     }
     Layer {
         objectName: "layer.numbers"
-        text: qsTr("Order numbers")
-        swatch: Theme.muted
+        text: qsTr("Swath numbers")
+        swatch: Theme.swath
         checked: root.numbers
         onToggled: root.numbers = checked
+    }
+    Layer {
+        objectName: "layer.order"
+        text: qsTr("Order numbers")
+        swatch: Theme.ink
+        checked: root.order
+        onToggled: root.order = checked
     }
     Layer {
         objectName: "layer.coverage"

@@ -109,12 +109,12 @@ PathKind kindOf(const PathSegment& segment) {
     switch (segment.kind) {
         case SegmentKind::Swath: return PathKind::Work;
         case SegmentKind::HeadlandPass: return PathKind::HeadlandPass;
-        case SegmentKind::Turn: return PathKind::Turn;
+        case SegmentKind::Turn: return segment.gear == Gear::Reverse ? PathKind::Reverse : PathKind::Turn;
         case SegmentKind::Transfer:
         case SegmentKind::Refill:
         case SegmentKind::Wait: break;
     }
-    return PathKind::Transfer;
+    return segment.gear == Gear::Reverse ? PathKind::Reverse : PathKind::Transfer;
 }
 
 MapPoint between(MapPoint a, MapPoint b, float share) {
@@ -123,30 +123,32 @@ MapPoint between(MapPoint a, MapPoint b, float share) {
 
 void addPath(PlanGeometry& geometry, const MapFrame& frame, const Path& path) {
     std::vector<ChunkBuilder> builders;
-    for (const PathKind kind :
-         {PathKind::Work, PathKind::HeadlandPass, PathKind::Turn, PathKind::Transfer, PathKind::Undrivable}) {
+    for (const PathKind kind : {PathKind::Work, PathKind::HeadlandPass, PathKind::Turn, PathKind::Transfer,
+                                PathKind::Reverse, PathKind::Undrivable}) {
         builders.emplace_back(geometry, kind);
     }
-    int number = 0;
+    int order = 0;
     Ring points;
     for (const PathSegment& segment : path.segments) {
         points.clear();
         std::ranges::transform(segment.samples, std::back_inserter(points), &PathSample::position);
-        const std::vector<MapPoint> line = frame.map(points);
-        geometry.pathPoints += line.size();
         const PathKind kind = kindOf(segment);
+        const std::vector<MapPoint>& line = geometry.segments.emplace_back(kind, frame.map(points)).points;
         builders[static_cast<std::size_t>(kind)].add(line);
         if (segment.kind == SegmentKind::Swath) {
-            ++number;
-            geometry.directions.push_back({line.front(), line.back(), true, number});
+            ++order;
+            geometry.directions.push_back({line.front(), line.back(), true, segment.number});
             const bool westFirst = line.front().x <= line.back().x;
-            geometry.numbers.push_back(
-                {number, between(line.front(), line.back(), westFirst ? 0.16F : 0.84F)});
+            geometry.numbers.push_back({segment.number, order,
+                                        between(line.front(), line.back(), westFirst ? 0.16F : 0.84F),
+                                        between(line.front(), line.back(), 0.05F)});
         } else if (line.size() >= 2) {
             const std::size_t middle = line.size() / 2;
-            geometry.directions.push_back({line[middle - 1], line[middle], false, number});
+            geometry.directions.push_back({line[middle - 1], line[middle], false, 0});
         }
     }
+    // So that every n-th one lies beside the one before it.
+    std::ranges::stable_sort(geometry.numbers, {}, &NumberMark::number);
     for (ChunkBuilder& builder : builders) {
         builder.flush();
     }
@@ -158,7 +160,7 @@ void addPath(PlanGeometry& geometry, const MapFrame& frame, const Path& path) {
 
 void addProblem(PlanGeometry& geometry, const std::optional<GeoPoint>& problem) {
     if (problem) {
-        geometry.findings.push_back(mapPoint(worldPoint(*problem), geometry.origin));
+        geometry.findings.push_back({mapPoint(worldPoint(*problem), geometry.origin), Weight::Blocks});
         geometry.findingPlaces.push_back(coordinate(*problem));
     }
 }
@@ -255,6 +257,7 @@ PlanGeometry planGeometry(const Plan& plan) {
         strip.insert(strip.end(), mainland.begin(), mainland.end());
         geometry.headland = evenOddTriangles(strip);
     }
+    geometry.mainland = evenOddTriangles(mainland);
     addMeasured(geometry, frame, plan);
     geometry.swathSpacing = plan.request.machine.operatingWidth().si() * geometry.unitsPerMetre;
     for (const Swath& swath : plan.swaths.swaths) {
@@ -268,8 +271,11 @@ PlanGeometry planGeometry(const Plan& plan) {
         }
     }
     addPath(geometry, frame, plan.path);
+    for (const Cell& cell : plan.cells.cells) {
+        geometry.cells.push_back(ringsOf(frame, MultiPolygon{cell.outline}));
+    }
     for (const Finding& finding : plan.findings) {
-        geometry.findings.push_back(frame.map(finding.place));
+        geometry.findings.push_back({frame.map(finding.place), weightOf(finding)});
         geometry.findingPlaces.push_back(coordinate(frame.geo(finding.place)));
     }
     return geometry;

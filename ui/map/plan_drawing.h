@@ -13,7 +13,7 @@
 
 namespace furrow {
 
-enum class PathKind { Work, HeadlandPass, Turn, Transfer, Undrivable };
+enum class PathKind { Work, HeadlandPass, Turn, Transfer, Reverse, Undrivable };
 
 /// A piece of the path, drawn as one node: the unit of culling and of level of detail.
 struct PathChunk {
@@ -32,12 +32,25 @@ struct DirectionMark {
     MapPoint from;
     MapPoint to;
     bool onSwath = true;
-    int order = 0;
+    int number = 0;  ///< of the swath
 };
 
 struct NumberMark {
-    int number = 0;  ///< in driving order, from 1
+    int number = 0;  ///< of the swath, as it is called everywhere
+    int order = 0;   ///< in which it is driven, from 1
     MapPoint place;
+    MapPoint begin;  ///< near where it begins
+};
+
+/// A segment of the path.
+struct PathLine {
+    PathKind kind = PathKind::Turn;
+    std::vector<MapPoint> points;
+};
+
+struct FindingPlace {
+    MapPoint place;
+    Weight weight = Weight::Look;
 };
 
 /// A ring as it can be edited: part and ring number as in FieldSource, ring 0 is the outer one.
@@ -58,6 +71,7 @@ struct PlanGeometry {
     FillMesh obstacles;
     LineMesh obstacleEdges;
     FillMesh headland;
+    FillMesh mainland;
     LineMesh mainlandEdge;
     FillMesh covered;  ///< worked, as the audit measured it
     FillMesh overlap;  ///< worked twice
@@ -67,13 +81,14 @@ struct PlanGeometry {
     LineMesh tramlines;  ///< of these, those that are driven on again
     double swathSpacing = 0.0;
     std::vector<PathChunk> chunks;
+    std::vector<PathLine> segments;                         ///< of the path
+    std::vector<std::vector<std::vector<MapPoint>>> cells;  ///< the rings of each
     std::vector<DirectionMark> directions;
-    std::vector<NumberMark> numbers;
+    std::vector<NumberMark> numbers;  ///< by number
     std::optional<MapPoint> start;
     std::optional<MapPoint> end;
-    std::vector<MapPoint> findings;
+    std::vector<FindingPlace> findings;
     std::vector<QGeoCoordinate> findingPlaces;
-    std::size_t pathPoints = 0;
 };
 
 /// A boundary that could not be used, as far as it can be drawn, and where the problem is.

@@ -1,6 +1,6 @@
 #include "ui/map/plan_layer.h"
 
-#include <QLineF>
+#include "ui/map/finding_marks.h"
 
 namespace furrow {
 
@@ -32,18 +32,10 @@ PlanView PlanLayer::view() const {
 }
 
 int PlanLayer::findingAt(QPointF pixel) const {
-    constexpr double kReachPx = 14.0;
     if (drawing_.isEmpty() || !style_.showFindings) {
         return -1;
     }
-    const PlanView shown = view();
-    const auto& findings = drawing_.geometry()->findings;
-    for (std::size_t i = 0; i < findings.size(); ++i) {
-        if (QLineF{shown.toItem(findings[i]), pixel}.length() <= kReachPx) {
-            return static_cast<int>(i);
-        }
-    }
-    return -1;
+    return furrow::findingAt(findingMarks(*drawing_.geometry(), view(), style_.selectedFinding), pixel);
 }
 
 QSGNode* PlanLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {

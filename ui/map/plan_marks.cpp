@@ -26,43 +26,89 @@ QImage emptyImage(QSizeF size, double devicePixelRatio) {
     return image;
 }
 
-}  // namespace
-
-QImage pillImage(const QString& text, const MarkStyle& style, double devicePixelRatio) {
+QImage capsuleImage(const QString& text, const QColor& face, const QColor& line, const QColor& ink,
+                    double devicePixelRatio) {
     const QFont font = markFont(10);
     const double width = std::ceil(std::max(QFontMetricsF{font}.horizontalAdvance(text) + 10.0, 18.0));
     QImage image = emptyImage({width + 2.0, 18.0}, devicePixelRatio);
     QPainter painter{&image};
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF box{1.0, 1.5, width, 15.0};
-    painter.setPen(QPen{style.pillLine, 1.1});
-    painter.setBrush(style.pill);
+    painter.setPen(QPen{line, 1.1});
+    painter.setBrush(face);
     painter.drawRoundedRect(box, 7.5, 7.5);
     painter.setFont(font);
-    painter.setPen(style.pillText);
+    painter.setPen(ink);
     painter.drawText(box, Qt::AlignCenter, text);
     return image;
 }
 
-QImage diamondImage(const QString& text, const MarkStyle& style, bool selected, double devicePixelRatio) {
-    const double half = selected ? 15.0 : 11.5;
-    QImage image = emptyImage({2.0 * half + 2.0, 2.0 * half + 2.0}, devicePixelRatio);
-    QPainter painter{&image};
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.translate(half + 1.0, half + 1.0);
+QPainterPath diamondPath(double half) {
     QPainterPath diamond;
     diamond.moveTo(0.0, -half);
     diamond.lineTo(half, 0.0);
     diamond.lineTo(0.0, half);
     diamond.lineTo(-half, 0.0);
     diamond.closeSubpath();
-    painter.setPen(
-        QPen{style.findingText, selected ? 2.2 : 1.4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin});
-    painter.setBrush(style.finding);
-    painter.drawPath(diamond);
+    return diamond;
+}
+
+/// In the upper right corner of a mark of this half width.
+void paintMore(QPainter& painter, const QString& more, double half, const MarkStyle& style) {
+    const QFont font = markFont(9);
+    const double width = std::max(QFontMetricsF{font}.horizontalAdvance(more) + 6.0, 14.0);
+    const QRectF box{half - 7.0, -half - 1.0, width, 13.0};
+    painter.setPen(QPen{style.finding, 1.1});
+    painter.setBrush(style.findingText);
+    painter.drawRoundedRect(box, 6.5, 6.5);
+    painter.setFont(font);
+    painter.setPen(style.finding);
+    painter.drawText(box, Qt::AlignCenter, more);
+}
+
+}  // namespace
+
+QImage pillImage(const QString& text, const MarkStyle& style, double devicePixelRatio) {
+    return capsuleImage(text, style.pill, style.pillLine, style.pillText, devicePixelRatio);
+}
+
+QImage orderImage(const QString& text, const MarkStyle& style, double devicePixelRatio) {
+    return capsuleImage(text, style.pillText, style.pill, style.pill, devicePixelRatio);
+}
+
+QImage findingImage(const QString& text, const QString& more, FindingShape shape, const MarkStyle& style,
+                    bool selected, double devicePixelRatio) {
+    const double half = selected ? 15.0 : 11.5;
+    const double aside = more.isEmpty() ? 1.0 : 24.0;
+    QImage image = emptyImage({2.0 * (half + aside), 2.0 * half + 4.0}, devicePixelRatio);
+    QPainter painter{&image};
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(half + aside, half + 2.0);
+    const bool full = shape == FindingShape::Full;
+    painter.setBrush(full ? style.finding : style.findingText);
+    const QColor edge = full ? style.findingText : style.finding;
+    painter.setPen(QPen{edge, selected ? 2.4 : 1.6, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin});
+    if (shape == FindingShape::Disc) {
+        painter.drawEllipse(QPointF{}, half - 3.0, half - 3.0);
+    } else {
+        painter.drawPath(diamondPath(half));
+    }
     painter.setFont(markFont(text.size() > 2 ? 8 : selected ? 12 : 10));
-    painter.setPen(style.findingText);
+    painter.setPen(edge);
     painter.drawText(QRectF{-half, -half, 2.0 * half, 2.0 * half}, Qt::AlignCenter, text);
+    if (!more.isEmpty()) {
+        paintMore(painter, more, half, style);
+    }
+    return image;
+}
+
+QImage startImage(const MarkStyle& style, double devicePixelRatio) {
+    QImage image = emptyImage({20.0, 20.0}, devicePixelRatio);
+    QPainter painter{&image};
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen{style.pill, 2.2});
+    painter.setBrush(style.start);
+    painter.drawEllipse(QPointF{10.0, 10.0}, 8.0, 8.0);
     return image;
 }
 
@@ -93,29 +139,36 @@ void MarkNode::begin(QQuickWindow* window, const MarkStyle& style, double device
 }
 
 void MarkNode::addPill(int number, QPointF middle) {
-    const QString key = QStringLiteral("p%1").arg(number);
-    add(key,
-        pictures_.contains(key) ? QImage{} : pillImage(QString::number(number), style_, devicePixelRatio_),
-        middle);
+    add(QStringLiteral("p%1").arg(number), middle,
+        [&] { return pillImage(QString::number(number), style_, devicePixelRatio_); });
 }
 
-void MarkNode::addSquare(QPointF middle) {
-    const QString key = QStringLiteral("end");
-    add(key, pictures_.contains(key) ? QImage{} : squareImage(style_.end, style_.pill, devicePixelRatio_),
-        middle);
+void MarkNode::addOrder(int order, QPointF middle) {
+    add(QStringLiteral("o%1").arg(order), middle,
+        [&] { return orderImage(QStringLiteral("%1.").arg(order), style_, devicePixelRatio_); });
 }
 
-void MarkNode::addDiamond(int number, QPointF middle, bool selected) {
-    const QString key =
-        QStringLiteral("%1%2").arg(selected ? QLatin1Char('s') : QLatin1Char('d')).arg(number);
-    add(key,
-        pictures_.contains(key) ? QImage{}
-                                : diamondImage(QString::number(number), style_, selected, devicePixelRatio_),
-        middle);
+void MarkNode::addStart(QPointF middle) {
+    add(QStringLiteral("start"), middle, [&] { return startImage(style_, devicePixelRatio_); });
 }
 
-void MarkNode::add(const QString& key, const QImage& image, QPointF middle) {
-    if (!image.isNull()) {
+void MarkNode::addEnd(QPointF middle) {
+    add(QStringLiteral("end"), middle,
+        [&] { return squareImage(style_.end, style_.pill, devicePixelRatio_); });
+}
+
+void MarkNode::addFinding(int number, int more, FindingShape shape, QPointF middle, bool selected) {
+    const QString others = more > 0 ? QStringLiteral("+%1").arg(more) : QString{};
+    add(QStringLiteral("f%1 %2 %3 %4").arg(number).arg(more).arg(static_cast<int>(shape)).arg(selected),
+        middle, [&] {
+            return findingImage(QString::number(number), others, shape, style_, selected, devicePixelRatio_);
+        });
+}
+
+template <typename Paint>
+void MarkNode::add(const QString& key, QPointF middle, Paint paint) {
+    if (!pictures_.contains(key)) {
+        const QImage image = paint();
         pictures_.insert(key,
                          {std::shared_ptr<QSGTexture>{window_->createTextureFromImage(
                               image, QQuickWindow::CreateTextureOptions{QQuickWindow::TextureHasAlphaChannel,

@@ -12,13 +12,17 @@
 
 namespace furrow {
 
-/// What an order number and a finding look like.
+/// How a finding is marked: full what blocks, an outline what wants a look, a disc what is just so.
+enum class FindingShape { Full, Outline, Disc };
+
+/// What a number and a finding look like.
 struct MarkStyle {
     QColor pill;
     QColor pillText;
     QColor pillLine;
     QColor finding;
     QColor findingText;
+    QColor start;
     QColor end;
 
     friend bool operator==(const MarkStyle&, const MarkStyle&) = default;
@@ -26,10 +30,14 @@ struct MarkStyle {
 
 /// A number in a pill, as drawn on a swath.
 QImage pillImage(const QString& text, const MarkStyle& style, double devicePixelRatio);
-/// A number in a diamond, as drawn at a finding.
-QImage diamondImage(const QString& text, const MarkStyle& style, bool selected, double devicePixelRatio);
+/// The same in dark: a place in an order.
+QImage orderImage(const QString& text, const MarkStyle& style, double devicePixelRatio);
+/// A number as drawn at a finding, with "+4" for others that have no room beside it.
+QImage findingImage(const QString& text, const QString& more, FindingShape shape, const MarkStyle& style,
+                    bool selected, double devicePixelRatio);
 
-/// Where the path ends.
+/// Where the path begins and ends.
+QImage startImage(const MarkStyle& style, double devicePixelRatio);
 QImage squareImage(const QColor& face, const QColor& edge, double devicePixelRatio);
 
 /// Small pictures at places of the item, each painted once. Lives in the render thread.
@@ -38,13 +46,18 @@ public:
     /// Starts a frame with nothing shown; pictures of another style are forgotten.
     void begin(QQuickWindow* window, const MarkStyle& style, double devicePixelRatio);
     void addPill(int number, QPointF middle);
-    void addSquare(QPointF middle);
-    void addDiamond(int number, QPointF middle, bool selected);
+    void addOrder(int order, QPointF middle);
+    void addStart(QPointF middle);
+    void addEnd(QPointF middle);
+    /// A finding, and how many others stand behind its mark.
+    void addFinding(int number, int more, FindingShape shape, QPointF middle, bool selected);
     /// Removes what was not used.
     void end();
 
 private:
-    void add(const QString& key, const QImage& image, QPointF middle);
+    /// Paints the picture of this key where it is not known yet.
+    template <typename Paint>
+    void add(const QString& key, QPointF middle, Paint paint);
 
     QQuickWindow* window_ = nullptr;
     MarkStyle style_;

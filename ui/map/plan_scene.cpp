@@ -1,11 +1,12 @@
 #include "ui/map/plan_scene.h"
 
-#include <QLineF>
+#include "ui/map/finding_marks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_set>
+#include <vector>
 
 namespace furrow {
 
@@ -14,6 +15,9 @@ namespace {
 /// Arrows at most, so that a zoomed-out plan stays readable and quick.
 constexpr std::size_t kMostArrows = 400;
 constexpr std::size_t kMostPills = 120;
+/// Swaths closer together than this run into a pattern of their own: they become an area.
+constexpr double kFillBelowPx = 4.0;
+constexpr double kLinesFromPx = 2.2;
 /// Turns are drawn with an arrow from this zoom on.
 constexpr double kTurnArrowPxPerM = 5.0;
 
@@ -25,6 +29,8 @@ LineStyle pathStyle(PathKind kind, const PlanStyle& style, double factor) {
         case PathKind::Turn: return {.color = style.turn, .widthPx = 1.7 * factor};
         case PathKind::Transfer:
             return {.color = style.turn, .widthPx = 1.7 * factor, .dashPx = 14.0, .periodPx = 20.0};
+        case PathKind::Reverse:
+            return {.color = style.turn, .widthPx = 2.6 * factor, .dashPx = 2.6, .periodPx = 6.5};
         case PathKind::Undrivable: break;
     }
     return {.color = style.finding, .widthPx = 2.2 * factor, .dashPx = 4.0, .periodPx = 7.0};
@@ -36,6 +42,7 @@ bool isShown(PathKind kind, const PlanStyle& style) {
         case PathKind::HeadlandPass: return style.showHeadland;
         case PathKind::Turn:
         case PathKind::Transfer:
+        case PathKind::Reverse:
         case PathKind::Undrivable: break;
     }
     return style.showTurns;
@@ -45,27 +52,15 @@ float lengthOf(const DirectionMark& mark) {
     return std::hypot(mark.to.x - mark.from.x, mark.to.y - mark.from.y);
 }
 
-/// Those in view that have room beside the ones before them and the selected one, the last first.
-std::vector<int> shownFindings(const std::vector<MapPoint>& findings, const PlanView& view, int selected) {
-    constexpr double kRoomPx = 22.0;
-    std::vector<QPointF> taken;
-    if (selected >= 0 && selected < static_cast<int>(findings.size())) {
-        taken.push_back(view.toItem(findings[static_cast<std::size_t>(selected)]));
-    }
-    std::vector<int> shown;
-    for (int i = 0; i < static_cast<int>(findings.size()); ++i) {
-        const MapPoint place = findings[static_cast<std::size_t>(i)];
-        const QPointF pixel = view.toItem(place);
-        if (i == selected || !view.visible.contains(QPointF{double{place.x}, double{place.y}}) ||
-            std::ranges::any_of(taken,
-                                [&](QPointF other) { return QLineF{other, pixel}.length() < kRoomPx; })) {
-            continue;
-        }
-        taken.push_back(pixel);
-        shown.push_back(i);
-    }
-    std::ranges::reverse(shown);
-    return shown;
+QColor faded(QColor color, double share) {
+    color.setAlphaF(static_cast<float>(color.alphaF() * share));
+    return color;
+}
+
+FindingShape shapeOf(Weight weight) {
+    return weight == Weight::Blocks ? FindingShape::Full
+           : weight == Weight::Look ? FindingShape::Outline
+                                    : FindingShape::Disc;
 }
 
 void addArrow(LineMesh& mesh, QPointF tip, QPointF along) {
@@ -80,11 +75,6 @@ void addArrow(LineMesh& mesh, QPointF tip, QPointF along) {
 }
 
 }  // namespace
-
-QPointF PlanView::toItem(MapPoint place) const {
-    return {double{matrix(0, 3)} + double{place.x} * pixelsPerUnit,
-            double{matrix(1, 3)} + double{place.y} * pixelsPerUnit};
-}
 
 int numberStep(const std::vector<NumberMark>& numbers, double pixelsPerUnit) {
     constexpr double kCellPx = 30.0;
@@ -113,6 +103,7 @@ PlanScene::PlanScene() {
     appendChildNode(transform_);
     transform_->appendChildNode(covered_);
     transform_->appendChildNode(headland_);
+    transform_->appendChildNode(worked_);
     transform_->appendChildNode(overlap_);
     transform_->appendChildNode(missed_);
     transform_->appendChildNode(wheels_);
@@ -125,9 +116,9 @@ PlanScene::PlanScene() {
     swaths_ = newLine(transform_);
     tramlines_ = newLine(transform_);
     transform_->appendChildNode(chunkParent_);
+    halo_ = newLine(transform_);
+    selection_ = newLine(transform_);
     appendChildNode(directions_);
-    startEdge_ = newLine(transform_);
-    startFace_ = newLine(transform_);
     appendChildNode(marks_);
 }
 
@@ -155,6 +146,7 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
     missed_->setMesh(shown.missed);
     wheels_->setMesh(shown.wheels);
     headland_->setMesh(shown.headland);
+    worked_->setMesh(shown.mainland);
     obstacles_->setMesh(shown.obstacles);
     mainlandEdge_->setMesh(shown.mainlandEdge);
     casing_->setMesh(shown.boundary);
@@ -169,39 +161,35 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
         chunks_.push_back({node, &chunk, PathChunk::kLevels});
         styleChunk(chunks_.back());
     }
-    LineMesh disc;
-    if (shown.start) {
-        disc.add(std::span{&*shown.start, 1});
-    }
-    startEdge_->setMesh(disc);
-    startFace_->setMesh(disc);
+    selected_ = {-1, -1};
+    halo_->setShown(false);
+    selection_->setShown(false);
 }
 
 void PlanScene::styleChunk(const ChunkNode& chunk) const {
-    chunk.node->setStyle(pathStyle(chunk.chunk->kind, style_, style_.lineFactor * density_));
+    // Lines a few pixels apart would run into one area at their full width.
+    const double density = std::clamp(spacingPx_ / 5.0, 0.45, 1.0);
+    LineStyle style = pathStyle(chunk.chunk->kind, style_, style_.lineFactor * density);
+    style.color = faded(style.color, style_.restAlpha());
+    chunk.node->setStyle(style);
 }
 
 void PlanScene::setStyle(const PlanStyle& style) {
     style_ = style;
     const double factor = style.lineFactor;
-    QColor strip = style.headland;
-    strip.setAlphaF(0.16F);
-    headland_->setStyle(strip);
-    QColor worked = style.covered;
-    worked.setAlphaF(0.24F);
-    covered_->setStyle(worked);
-    QColor twice = style.overlap;
-    twice.setAlphaF(0.55F);
-    overlap_->setStyle(twice);
+    const double rest = style.restAlpha();
+    headland_->setStyle(faded(style.headland, 0.16 * rest));
+    covered_->setStyle(faded(style.covered, 0.24 * rest));
+    overlap_->setStyle(faded(style.overlap, 0.55 * rest));
     missed_->setStyle(style.missed, 5.0);
-    wheels_->setStyle(style.wheels, 4.0);
+    wheels_->setStyle(faded(style.wheels, rest), 4.0);
     covered_->setShown(style.showCoverage);
     overlap_->setShown(style.showOverlap);
     missed_->setShown(style.showMissed);
     wheels_->setShown(style.showWheels);
     obstacles_->setStyle(style.obstacle, 7.0);
     mainlandEdge_->setStyle(
-        {.color = style.headland, .widthPx = 1.1 * factor, .dashPx = 6.0, .periodPx = 10.0});
+        {.color = faded(style.headland, rest), .widthPx = 1.1 * factor, .dashPx = 6.0, .periodPx = 10.0});
     casing_->setStyle({.color = style.casing, .widthPx = 4.6 * factor});
     boundary_->setStyle({.color = style.boundary, .widthPx = 2.4 * factor});
     obstacleEdges_->setStyle({.color = style.obstacle, .widthPx = 1.6 * factor});
@@ -209,21 +197,26 @@ void PlanScene::setStyle(const PlanStyle& style) {
     mainlandEdge_->setShown(style.showHeadland);
     casing_->setShown(style.showBoundary);
     boundary_->setShown(style.showBoundary);
-    swathCasing_->setShown(style.showSwaths && style.onImagery);
-    swaths_->setShown(style.showSwaths);
     tramlines_->setShown(style.showSwaths);
-    tramlines_->setStyle({.color = style.ink, .widthPx = 2.6 * factor, .dashPx = 12.0, .periodPx = 18.0});
-    directions_->setStyle({.color = style.ink, .widthPx = 1.5 * factor});
+    tramlines_->setStyle(
+        {.color = faded(style.ink, rest), .widthPx = 2.6 * factor, .dashPx = 12.0, .periodPx = 18.0});
+    directions_->setStyle({.color = faded(style.ink, rest), .widthPx = 1.5 * factor});
     styleDensity();
-    startEdge_->setStyle({.color = style.ground, .widthPx = 19.0});
-    startFace_->setStyle({.color = style.start, .widthPx = 14.5});
 }
 
 void PlanScene::styleDensity() {
-    swaths_->setStyle({.color = style_.swath, .widthPx = 1.5 * style_.lineFactor * density_});
-    QColor casing = style_.ground;
-    casing.setAlphaF(0.75F);
-    swathCasing_->setStyle({.color = casing, .widthPx = (1.5 * style_.lineFactor + 1.8) * density_});
+    const double rest = style_.restAlpha();
+    const double density = std::clamp(spacingPx_ / 5.0, 0.45, 1.0);
+    // From lines to an area as they come together: what their distance leaves of the lines, the area takes.
+    const double lines = std::clamp((spacingPx_ - kLinesFromPx) / (kFillBelowPx - kLinesFromPx), 0.0, 1.0);
+    swaths_->setStyle(
+        {.color = faded(style_.swath, rest * lines), .widthPx = 1.5 * style_.lineFactor * density});
+    swathCasing_->setStyle({.color = faded(style_.ground, 0.75 * rest * lines),
+                            .widthPx = (1.5 * style_.lineFactor + 1.8) * density});
+    worked_->setStyle(faded(style_.swath, 0.4 * rest * (1.0 - lines)));
+    worked_->setShown(style_.showSwaths && lines < 1.0);
+    swaths_->setShown(style_.showSwaths && lines > 0.0);
+    swathCasing_->setShown(style_.showSwaths && style_.onImagery && lines > 0.0);
     for (const ChunkNode& chunk : chunks_) {
         styleChunk(chunk);
     }
@@ -231,14 +224,13 @@ void PlanScene::styleDensity() {
 
 void PlanScene::setView(const PlanView& view, QQuickWindow* window) {
     transform_->setMatrix(view.matrix);
-    // Swaths a few pixels apart would run into one area at their full width.
     const double spacingPx = geometry_ ? geometry_->swathSpacing * view.pixelsPerUnit : 10.0;
-    const double density = std::clamp(spacingPx / 5.0, 0.45, 1.0);
-    if (density != density_) {
-        density_ = density;
+    if (spacingPx != spacingPx_) {
+        spacingPx_ = spacingPx;
         styleDensity();
     }
-    for (FillNode* fill : {covered_, headland_, overlap_, missed_, wheels_, obstacles_}) {
+    showSelection();
+    for (FillNode* fill : {covered_, headland_, worked_, overlap_, missed_, wheels_, obstacles_}) {
         fill->setScale(view.pixelsPerUnit, view.devicePixelRatio);
     }
     for (LineNode* line : lines_) {
@@ -247,6 +239,43 @@ void PlanScene::setView(const PlanView& view, QQuickWindow* window) {
     showChunks(view);
     showDirections(view);
     showMarks(view, window);
+}
+
+LineMesh PlanScene::selectedLines() const {
+    LineMesh lines;
+    if (!geometry_) {
+        return lines;
+    }
+    const auto segment = static_cast<std::size_t>(style_.selectedSegment);
+    const auto cell = static_cast<std::size_t>(style_.selectedCell);
+    if (style_.selectedSegment >= 0 && segment < geometry_->segments.size()) {
+        lines.add(geometry_->segments[segment].points);
+    } else if (style_.selectedCell >= 0 && cell < geometry_->cells.size()) {
+        for (const auto& ring : geometry_->cells[cell]) {
+            lines.add(ring, true);
+        }
+    }
+    return lines;
+}
+
+void PlanScene::showSelection() {
+    const std::pair wanted{style_.selectedSegment, style_.selectedCell};
+    if (wanted != selected_) {
+        selected_ = wanted;
+        const LineMesh lines = selectedLines();
+        halo_->setMesh(lines);
+        selection_->setMesh(lines);
+        halo_->setShown(!lines.isEmpty());
+        selection_->setShown(!lines.isEmpty());
+    }
+    const double factor = style_.lineFactor;
+    const auto segment = static_cast<std::size_t>(style_.selectedSegment);
+    // Of its own kind's colour, whole: dashes of a short piece would hide where it begins.
+    const QColor color = geometry_ && segment < geometry_->segments.size()
+                             ? pathStyle(geometry_->segments[segment].kind, style_, factor).color
+                             : style_.swath;
+    halo_->setStyle({.color = style_.ground, .widthPx = 10.0 * factor});
+    selection_->setStyle({.color = color, .widthPx = 4.0 * factor});
 }
 
 void PlanScene::showChunks(const PlanView& view) {
@@ -274,13 +303,14 @@ void PlanScene::showDirections(const PlanView& view) {
     directions_->setShown(style_.showDirections);
     LineMesh arrows;
     if (style_.showDirections && geometry_) {
-        // Every n-th swath, so that neighbours' arrows are apart; never more than one in 200 px of a swath.
-        const int every = std::clamp(numberStep(geometry_->numbers, view.pixelsPerUnit * 1.4), 1, 1000);
+        // Every n-th swath, so that neighbours' arrows are apart. An odd n: swaths are mostly driven to and
+        // fro, and every second one would show one way only.
+        const int every = numberStep(geometry_->numbers, view.pixelsPerUnit * 1.4) | 1;
         std::size_t count = 0;
         for (const DirectionMark& mark : geometry_->directions) {
             const double lengthPx = double{lengthOf(mark)} * view.pixelsPerUnit;
             const bool wanted = mark.onSwath
-                                    ? lengthPx > 70.0 && (mark.order - 1) % every == 0
+                                    ? lengthPx > 70.0 && (mark.number - 1) % every == 0
                                     : view.pixelsPerUnit * geometry_->unitsPerMetre > kTurnArrowPxPerM;
             const bool layerShown = mark.onSwath ? style_.showSwaths : style_.showTurns;
             if (!wanted || !layerShown || lengthPx <= 0.0) {
@@ -311,36 +341,60 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
                    .pillLine = style_.swath,
                    .finding = style_.finding,
                    .findingText = style_.ground,
+                   .start = style_.start,
                    .end = style_.end},
                   view.devicePixelRatio);
-    if (geometry_ && style_.showNumbers) {
-        const int step = numberStep(geometry_->numbers, view.pixelsPerUnit);
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < geometry_->numbers.size() && count < kMostPills;
-             i += static_cast<std::size_t>(step)) {
-            const NumberMark& mark = geometry_->numbers[i];
-            if (view.visible.contains(QPointF{double{mark.place.x}, double{mark.place.y}})) {
-                marks_->addPill(mark.number, view.toItem(mark.place));
-                ++count;
-            }
+    if (geometry_) {
+        addNumbers(view);
+        if (style_.showFindings) {
+            addFindings(view);
         }
-    }
-    if (geometry_ && geometry_->end) {
-        marks_->addSquare(view.toItem(*geometry_->end));
-    }
-    if (geometry_ && style_.showFindings) {
-        const int count = static_cast<int>(geometry_->findings.size());
-        const auto placeOf = [&](int i) {
-            return view.toItem(geometry_->findings[static_cast<std::size_t>(i)]);
-        };
-        for (const int i : shownFindings(geometry_->findings, view, style_.selectedFinding)) {
-            marks_->addDiamond(i + 1, placeOf(i), false);
+        if (geometry_->end) {
+            marks_->addEnd(view.toItem(*geometry_->end));
         }
-        if (style_.selectedFinding >= 0 && style_.selectedFinding < count) {
-            marks_->addDiamond(style_.selectedFinding + 1, placeOf(style_.selectedFinding), true);
+        if (geometry_->start) {
+            marks_->addStart(view.toItem(*geometry_->start));
         }
     }
     marks_->end();
+}
+
+void PlanScene::addNumbers(const PlanView& view) {
+    if (!style_.showNumbers && !style_.showOrder) {
+        return;
+    }
+    const auto step = static_cast<std::size_t>(numberStep(geometry_->numbers, view.pixelsPerUnit));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < geometry_->numbers.size() && count < kMostPills; i += step) {
+        const NumberMark& mark = geometry_->numbers[i];
+        if (style_.showNumbers && view.shows(mark.place)) {
+            marks_->addPill(mark.number, view.toItem(mark.place));
+            ++count;
+        }
+        if (style_.showOrder && view.shows(mark.begin)) {
+            marks_->addOrder(mark.order, view.toItem(mark.begin));
+            ++count;
+        }
+    }
+}
+
+void PlanScene::addFindings(const PlanView& view) {
+    const auto add = [this](const FindingMark& mark, bool selected) {
+        const Weight weight = geometry_->findings[static_cast<std::size_t>(mark.finding)].weight;
+        marks_->addFinding(mark.finding + 1, mark.more, shapeOf(weight), mark.middle, selected);
+    };
+    const std::vector<FindingMark> marks = findingMarks(*geometry_, view, style_.selectedFinding);
+    // The first ones last: they lie over the others, the selected one over all.
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+        if (mark->finding != style_.selectedFinding) {
+            add(*mark, false);
+        }
+    }
+    for (const FindingMark& mark : marks) {
+        if (mark.finding == style_.selectedFinding) {
+            add(mark, true);
+        }
+    }
 }
 
 }  // namespace furrow

@@ -3,6 +3,7 @@
 #include "ui/map/mesh_nodes.h"
 #include "ui/map/plan_drawing.h"
 #include "ui/map/plan_marks.h"
+#include "ui/map/plan_view.h"
 
 #include <QtQml/qqmlregistration.h>
 #include <QSGNode>
@@ -36,6 +37,7 @@ class PlanStyle {
     Q_PROPERTY(bool showTurns MEMBER showTurns FINAL)
     Q_PROPERTY(bool showDirections MEMBER showDirections FINAL)
     Q_PROPERTY(bool showNumbers MEMBER showNumbers FINAL)
+    Q_PROPERTY(bool showOrder MEMBER showOrder FINAL)
     Q_PROPERTY(bool showCoverage MEMBER showCoverage FINAL)
     Q_PROPERTY(bool showOverlap MEMBER showOverlap FINAL)
     Q_PROPERTY(bool showMissed MEMBER showMissed FINAL)
@@ -43,6 +45,9 @@ class PlanStyle {
     Q_PROPERTY(bool onImagery MEMBER onImagery FINAL)
     Q_PROPERTY(bool showFindings MEMBER showFindings FINAL)
     Q_PROPERTY(int selectedFinding MEMBER selectedFinding FINAL)
+    Q_PROPERTY(int selectedSegment MEMBER selectedSegment FINAL)
+    Q_PROPERTY(int selectedCell MEMBER selectedCell FINAL)
+    Q_PROPERTY(bool old MEMBER old FINAL)
 
 public:
     QColor boundary;
@@ -67,6 +72,7 @@ public:
     bool showTurns = true;
     bool showDirections = true;
     bool showNumbers = true;
+    bool showOrder = false;
     bool showCoverage = false;
     bool showOverlap = false;
     bool showMissed = true;
@@ -75,19 +81,21 @@ public:
     bool onImagery = false;
     bool showFindings = true;
     int selectedFinding = -1;
+    /// Of the path: drawn with a halo, the rest dimmed.
+    int selectedSegment = -1;
+    int selectedCell = -1;
+    /// Another plan is on its way: this one is dimmed.
+    bool old = false;
+
+    /// How strongly what is not selected is drawn.
+    double restAlpha() const {
+        return selectedSegment >= 0 || selectedCell >= 0 ? 0.35
+               : old                                     ? 0.45
+               : selectedFinding >= 0                    ? 0.6
+                                                         : 1.0;
+    }
 
     friend bool operator==(const PlanStyle&, const PlanStyle&) = default;
-};
-
-/// Where the camera is, as the scene needs it.
-struct PlanView {
-    QMatrix4x4 matrix;
-    QRectF visible;  ///< in units
-    QSizeF size;     ///< of the item
-    double pixelsPerUnit = 1.0;
-    double devicePixelRatio = 1.0;
-
-    QPointF toItem(MapPoint place) const;
 };
 
 /// The nodes of a plan, lowest first. Lives in the render thread.
@@ -109,16 +117,23 @@ private:
     void styleDensity();
     void showChunks(const PlanView& view);
     void showDirections(const PlanView& view);
+    void showSelection();
+    LineMesh selectedLines() const;
     void showMarks(const PlanView& view, QQuickWindow* window);
+    void addNumbers(const PlanView& view);
+    void addFindings(const PlanView& view);
     LineNode* newLine(QSGNode* parent);
 
     std::shared_ptr<const PlanGeometry> geometry_;
     PlanStyle style_;
-    /// Of line widths, 1 where lines have room.
-    double density_ = 1.0;
+    /// Between swaths, pixels.
+    double spacingPx_ = 10.0;
+    /// The segment and the cell whose lines are in the selection's nodes.
+    std::pair<int, int> selected_{-1, -1};
     QSGTransformNode* transform_ = new QSGTransformNode;
     FillNode* covered_ = new FillNode;
     FillNode* headland_ = new FillNode;
+    FillNode* worked_ = new FillNode;
     FillNode* overlap_ = new FillNode;
     FillNode* missed_ = new FillNode;
     FillNode* wheels_ = new FillNode;
@@ -134,8 +149,8 @@ private:
     std::vector<LineNode*> lines_;
     std::vector<ChunkNode> chunks_;
     LineNode* directions_ = new LineNode;
-    LineNode* startEdge_;
-    LineNode* startFace_;
+    LineNode* halo_;
+    LineNode* selection_;
     MarkNode* marks_ = new MarkNode;
 };
 

@@ -24,7 +24,7 @@ Column {
     }
     Caption {
         width: parent.width
-        text: [qsTr("Turns and ways from cell to cell, estimated."), root.cells.remark].filter(part => part.length > 0).join(" ")
+        text: [qsTr("Turns and ways from block to block, estimated."), root.cells.remark].filter(part => part.length > 0).join(" ")
         wrapMode: Text.WordWrap
         lineHeight: 1.15
     }
@@ -34,7 +34,7 @@ Column {
         objectName: "cells.show"
         width: parent.width
         visible: !root.stepping
-        text: root.cells.count > 1 ? qsTr("Go through the steps") : qsTr("Show the cells")
+        text: root.cells.count > 1 ? qsTr("Go through the steps") : qsTr("Show the blocks")
         onClicked: {
             const reason = show.visualFocus ? Qt.TabFocusReason : Qt.MouseFocusReason;
             root.cells.current = 0;
@@ -60,7 +60,7 @@ Column {
             objectName: "cells.slider"
             anchors.verticalCenter: parent.verticalCenter
             width: parent.width - previous.width - next.width - 16
-            name: qsTr("Step of the cells")
+            name: qsTr("Step of the blocks")
             to: Math.max(1, root.cells.count - 1)
             stepSize: 1
             snapMode: ValueSlider.SnapAlways

@@ -22,7 +22,7 @@ Rectangle {
     required property Planning planning
     required property FieldOpener opener
     property bool open: false
-    readonly property bool leadsOn: stepId === "check"
+    readonly property bool leadsOn: stepId === "check" || stepId === "export"
     /// The result is of a plan that does not belong to what the panels show.
     readonly property bool old: status === StepsModel.Old
     /// Only opening and closing are shown as a motion, not a line more or less in the header.
@@ -35,6 +35,7 @@ Rectangle {
     signal openRequested()
     signal drawRequested()
     signal checkRequested()
+    signal exportRequested()
     signal swathChosen(segment: int)
 
     implicitHeight: header.height + (body.active ? body.height + 16 : 0)
@@ -73,7 +74,7 @@ Rectangle {
         height: lines.height + 20
         focusPolicy: Qt.StrongFocus
         Accessible.name: qsTr("%1. %2: %3. %4").arg(root.number).arg(root.name).arg(root.choice).arg(root.result)
-        onClicked: root.leadsOn ? root.checkRequested() : root.toggled()
+        onClicked: root.stepId === "check" ? root.checkRequested() : root.stepId === "export" ? root.exportRequested() : root.toggled()
 
         background: Rectangle {
             radius: Theme.cardRadius

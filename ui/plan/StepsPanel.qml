@@ -3,7 +3,7 @@ import QtQuick
 import Furrow.Controls
 import Furrow.Project
 
-/// The steps from field to check, one of them open.
+/// The steps from field to export, one of them open.
 Rectangle {
     id: root
 
@@ -13,6 +13,7 @@ Rectangle {
     signal openRequested()
     signal drawRequested()
     signal checkRequested()
+    signal exportRequested()
     signal bestPlanRequested()
     signal swathChosen(segment: int)
 
@@ -57,6 +58,7 @@ Rectangle {
                     onOpenRequested: root.openRequested()
                     onDrawRequested: root.drawRequested()
                     onCheckRequested: root.checkRequested()
+                    onExportRequested: root.exportRequested()
                     onSwathChosen: segment => root.swathChosen(segment)
                 }
             }

@@ -14,7 +14,7 @@ namespace {
 
 /// "4 cells, 11 min"
 QString figures(const DecompositionStep& step) {
-    return CellSteps::tr("%n cell(s), %1", nullptr, static_cast<int>(step.cells))
+    return CellSteps::tr("%n block(s), %1", nullptr, static_cast<int>(step.cells))
         .arg(durationText(step.cost));
 }
 
@@ -96,8 +96,8 @@ QString CellSteps::joinText() const {
     }
     const DecompositionStep& step = steps()[static_cast<std::size_t>(current_)];
     const Duration saved = steps()[static_cast<std::size_t>(current_) - 1].cost - step.cost;
-    return saved.si() > 0.0 ? tr("The two marked cells become one: that saves %1.").arg(durationText(saved))
-                            : tr("Cells in which no swath lies go to their neighbours.");
+    return saved.si() > 0.0 ? tr("The two marked blocks become one: that saves %1.").arg(durationText(saved))
+                            : tr("Blocks in which no swath lies go to their neighbours.");
 }
 
 }  // namespace furrow

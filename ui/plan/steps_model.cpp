@@ -69,13 +69,13 @@ int problemsOf(std::string_view step, const Plan& plan) {
 QString resultOf(std::string_view stage, const Plan& plan) {
     if (stage == "headland") {
         return plan.headland.width.si() <= 0.0
-                   ? StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))
+                   ? StepsModel::tr("%1 inside").arg(percentText(plan.headland.mainlandRatio))
                    : inOneLine({metresText(narrowestWidth(plan.headland), plan.headland.width),
                                 StepsModel::tr("%n pass(es)", nullptr, plan.headland.passes),
-                                StepsModel::tr("mainland %1").arg(percentText(plan.headland.mainlandRatio))});
+                                StepsModel::tr("%1 inside").arg(percentText(plan.headland.mainlandRatio))});
     }
     if (stage == "decomposition") {
-        return StepsModel::tr("%n cell(s)", nullptr, static_cast<int>(plan.cells.cells.size()));
+        return StepsModel::tr("%n block(s)", nullptr, static_cast<int>(plan.cells.cells.size()));
     }
     if (stage == "swaths") {
         return inOneLine({StepsModel::tr("%n swath(s)", nullptr, static_cast<int>(plan.swaths.swaths.size())),
@@ -128,6 +128,7 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
         add(fromStd(stage.id), stage.name, parametersOf(stage, {}));
     }
     add(QStringLiteral("check"), "Check", {});
+    add(QStringLiteral("export"), "Export", {});
 }
 
 void StepsModel::showField(Step& step, const StepsContent& content) {
@@ -218,7 +219,11 @@ void StepsModel::show(const StepsContent& content) {
             step.status = Status::Warning;
         }
     }
-    showCheck(steps_.back(), content);
+    showCheck(steps_[steps_.size() - 2], content);
+    steps_.back().choice = finished ? tr("To a stick, to files or on paper")
+                           : content.state == PlanState::Failed || content.state == PlanState::Empty
+                               ? tr("No plan to export yet")
+                               : tr("Waits for the finished plan");
     for (int row = 0; row < rowCount(); ++row) {
         if (const Step& step = steps_[static_cast<std::size_t>(row)];
             step != before[static_cast<std::size_t>(row)]) {
@@ -244,7 +249,8 @@ QVariant StepsModel::data(const QModelIndex& index, int role) const {
             // The planner has no stages of these names.
             return index.row() == 0                ? tr("Field")
                    : index.row() == 1              ? tr("Machine")
-                   : index.row() == rowCount() - 1 ? tr("Check")
+                   : index.row() == rowCount() - 2 ? tr("Check")
+                   : index.row() == rowCount() - 1 ? tr("Export")
                                                    : shown(step.name);
         case ChoiceRole: return step.choice;
         case ResultRole: return step.result;

@@ -9,13 +9,17 @@ T.Button {
     required property int number
     required property string finding
     required property string suggestion
-    required property bool blocking
+    required property int weight
+    /// The first of those that are just so.
+    required property bool beginsInformation
+    readonly property bool blocking: weight === FindingsModel.Blocks
     /// What corrects it, where that is one setting: "Passes: 3".
     required property string change
     property bool current: false
     signal applied()
 
-    implicitHeight: lines.height + 20
+    implicitHeight: heading.height + lines.height + 20
+    topInset: heading.height
     focusPolicy: Qt.StrongFocus
     Accessible.name: qsTr("Finding %1: %2 %3").arg(number).arg(finding).arg(suggestion)
 
@@ -33,21 +37,32 @@ T.Button {
         Focusable { control: root }
     }
     contentItem: Item {
+        Caption {
+            id: heading
+
+            width: parent.width
+            height: root.beginsInformation ? implicitHeight + 8 : 0
+            visible: root.beginsInformation
+            topPadding: 2
+            text: qsTr("For information")
+        }
         Rectangle {
+            id: mark
+
+            // As on the map: full what blocks, an outline what wants a look, round what is just so.
             x: 14
-            y: 13
+            y: heading.height + 13
             width: 15
             height: 15
-            rotation: 45
-            color: Theme.finding
+            rotation: root.weight === FindingsModel.Information ? 0 : 45
+            radius: root.weight === FindingsModel.Information ? 7.5 : 0
+            color: root.blocking ? Theme.finding : Theme.panel
+            border { width: root.blocking ? 0 : 1.4; color: Theme.finding }
         }
         BodyText {
-            x: 14
-            y: 13
-            width: 15
-            height: 15
+            anchors.fill: mark
             text: root.number
-            color: Theme.panel
+            color: root.blocking ? Theme.panel : Theme.finding
             font.pixelSize: 10
             font.weight: Font.DemiBold
             horizontalAlignment: Text.AlignHCenter
@@ -57,7 +72,7 @@ T.Button {
             id: lines
 
             anchors { left: parent.left; right: parent.right; leftMargin: 42; rightMargin: 10 }
-            y: 10
+            y: heading.height + 10
             spacing: 3
 
             BodyText {

@@ -152,13 +152,13 @@ Rectangle {
             Title {
                 id: findingsTitle
 
-                visible: root.findings.count > 0
-                text: qsTr("%n finding(s)", "", root.findings.count)
+                visible: root.findings.toLookAt > 0
+                text: qsTr("%n finding(s)", "", root.findings.toLookAt)
             }
             BodyText {
                 objectName: "noFindings"
                 width: parent.width
-                visible: root.checked && root.findings.count === 0
+                visible: root.checked && root.findings.toLookAt === 0
                 topPadding: 24
                 text: qsTr("Nothing was found in this plan: all of it can be driven.")
                 wrapMode: Text.WordWrap
@@ -212,12 +212,15 @@ Rectangle {
     }
     /// Brings a row into view, once it is laid out.
     function showFinding(index: int): void {
+        if (index >= root.findings.few)
+            root.findings.all = true;
         Qt.callLater(() => {
             const row = findingRows.itemAt(index);
             if (row)
                 flick.bringIntoView(row);
         });
     }
+    Keys.onEscapePressed: event => event.accepted = root.editor.escape()
     function showReview(): void {
         Qt.callLater(flick.bringIntoView, reviewSection);
     }

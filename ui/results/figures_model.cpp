@@ -2,7 +2,24 @@
 
 #include "ui/text/unit_text.h"
 
+#include <algorithm>
+
 namespace furrow {
+
+namespace {
+
+/// Why land is missed: out of the machine's reach, or left.
+QString missedHint(const Plan& plan) {
+    const AuditReport& audit = plan.audit;
+    if (!audit.missed || audit.missed->si() < 0.5) {
+        return FiguresModel::tr("Land that is not worked");
+    }
+    const Area beyond = std::max(*audit.missed - audit.left, Area{});
+    return FiguresModel::tr("%1 cannot be reached by the implement, mostly in corners; %2 could be.")
+        .arg(areaText(beyond), areaText(audit.left));
+}
+
+}  // namespace
 
 void FiguresModel::show(const Plan* plan) {
     std::vector<Figure> figures;
@@ -18,7 +35,8 @@ void FiguresModel::show(const Plan* plan) {
         const Area mainland = area(plan->headland.mainland);
         figures = {
             {tr("Area"), areaText(plan->field().area()), tr("Of the field, holes and obstacles taken out")},
-            {tr("Mainland"), inOneLine({areaText(mainland), percentText(plan->headland.mainlandRatio)}),
+            {tr("Inside the headland"),
+             inOneLine({areaText(mainland), percentText(plan->headland.mainlandRatio)}),
              tr("What is left inside the headland")},
             {tr("Swaths"), numberText(static_cast<double>(plan->swaths.swaths.size()), 0), {}},
             {tr("Path"), lengthText(path), tr("Everything that is driven")},
@@ -31,6 +49,10 @@ void FiguresModel::show(const Plan* plan) {
             {tr("Overlap"),
              plan->audit.overlap ? percentText(shareOfField(plan->audit.overlap), 1) : notMeasured,
              tr("Share of the field that is worked twice")},
+            {tr("Missed"), plan->audit.missed ? areaText(*plan->audit.missed) : notMeasured,
+             missedHint(*plan)},
+            {tr("Outside the field"), plan->audit.outside ? areaText(*plan->audit.outside) : notMeasured,
+             tr("Ground outside that the machine or its implement drives over")},
         };
     }
     const bool sameLength = figures.size() == figures_.size();

@@ -68,6 +68,11 @@ void FindingsModel::setAll(bool all) {
     emit allChanged();
 }
 
+int FindingsModel::toLookAt() const {
+    return static_cast<int>(std::ranges::count_if(
+        findings_, [](const Finding& finding) { return weightOf(finding) != Weight::Information; }));
+}
+
 int FindingsModel::shownCount(std::size_t findings) const {
     return all_ ? static_cast<int>(findings) : std::min(static_cast<int>(findings), few());
 }
@@ -86,7 +91,11 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
         case TextRole: return shown(finding.text);
         case SuggestionRole: return shown(finding.suggestion);
-        case BlockingRole: return isBlocking(finding);
+        case WeightRole: return static_cast<int>(weightOf(finding));
+        case BeginsInformationRole:
+            return weightOf(finding) == Weight::Information &&
+                   (index.row() == 0 ||
+                    weightOf(findings_[static_cast<std::size_t>(index.row()) - 1]) != Weight::Information);
         case PlaceRole: return QVariant::fromValue(placeOf(index.row()));
         case ChangeRole: return finding.change ? changeText(*finding.change) : QString{};
         default: return {};
@@ -94,8 +103,13 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
 }
 
 QHash<int, QByteArray> FindingsModel::roleNames() const {
-    return {{NumberRole, "number"},     {TextRole, "finding"}, {SuggestionRole, "suggestion"},
-            {BlockingRole, "blocking"}, {PlaceRole, "place"},  {ChangeRole, "change"}};
+    return {{NumberRole, "number"},
+            {TextRole, "finding"},
+            {SuggestionRole, "suggestion"},
+            {WeightRole, "weight"},
+            {PlaceRole, "place"},
+            {ChangeRole, "change"},
+            {BeginsInformationRole, "beginsInformation"}};
 }
 
 QString FindingsModel::outcome() const {

@@ -17,6 +17,7 @@ class FindingsModel : public QAbstractListModel {
     QML_ELEMENT
     QML_UNCREATABLE("belongs to a session")
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+    Q_PROPERTY(int toLookAt READ toLookAt NOTIFY countChanged FINAL)
     /// Rows for all findings, or for the first few only: a plan may have hundreds while a value is dragged.
     Q_PROPERTY(bool all READ showsAll WRITE setAll NOTIFY allChanged FINAL)
     Q_PROPERTY(int few READ few CONSTANT FINAL)
@@ -28,10 +29,15 @@ public:
         NumberRole = Qt::UserRole + 1,
         TextRole,
         SuggestionRole,
-        BlockingRole,
+        WeightRole,
+        BeginsInformationRole,
         PlaceRole,
         ChangeRole
     };
+
+    /// Of `WeightRole`: as furrow::Weight.
+    enum Kind { Blocks, Look, Information };
+    Q_ENUM(Kind)
 
     explicit FindingsModel(QObject* parent = nullptr);
 
@@ -40,6 +46,8 @@ public:
 
     /// Of all findings, shown as rows or not.
     int count() const { return static_cast<int>(findings_.size()); }
+    /// Those that are more than information.
+    int toLookAt() const;
     bool showsAll() const { return all_; }
     void setAll(bool all);
     int few() const { return 4; }

@@ -21,7 +21,7 @@ ThemedDialog {
             objectName: "preferences.language"
             width: parent.width
             name: qsTr("Language")
-            model: root.codes.map(code => code === "" ? qsTr("As the computer") : Display.nameOf(code))
+            model: root.codes.map(code => code === "" ? qsTr("Same as this computer") : Display.nameOf(code))
             chosen: root.codes.indexOf(Display.language)
             onActivated: index => Display.language = root.codes[index]
         }
@@ -35,7 +35,7 @@ ThemedDialog {
             objectName: "preferences.units"
             width: parent.width
             name: qsTr("Units")
-            model: [qsTr("As the computer"), qsTr("Metres, hectares, km/h"), qsTr("Feet, acres, mph")]
+            model: [qsTr("Same as this computer"), qsTr("Metres, hectares, km/h"), qsTr("Feet, acres, mph")]
             chosen: Display.units
             onActivated: index => Display.units = index
         }

@@ -38,8 +38,14 @@ ApplicationWindow {
     readonly property bool besideOpen: compareOpen || drivenOpen
     readonly property Item rightPanel: compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
     readonly property list<color> drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
+    /// Beside the map; otherwise the steps are a drawer over it.
+    readonly property bool roomForSteps: width >= 860
+    property bool stepsWanted: true
+    readonly property bool stepsOpen: stepsWanted && !farmOpen
     readonly property bool panelOpen: !farmOpen && !besideOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
-    property int currentFinding: -1
+    /// What is drawn is a plan of what the panels showed before.
+    readonly property bool planIsOld: session.shown.hasPlan && (session.planning.state === PlanState.OutOfDate || session.planning.state === PlanState.Planning && session.planning.slow && !session.shown.draft)
+    readonly property int currentFinding: page.editor.selectedFinding
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
     /// The drive-through is at hand; remembered.
@@ -94,6 +100,7 @@ ApplicationWindow {
 
         window: root
     }
+    WindowKeys { window: root }
     property bool maximised: false
     property bool started: false
 
@@ -102,8 +109,11 @@ ApplicationWindow {
             maximised = visibility === Window.Maximized;
     }
     onRoomForPanelChanged: panelWanted = roomForPanel
+    // The map first; the steps are a press away.
+    onRoomForStepsChanged: stepsWanted = roomForSteps
     Component.onCompleted: {
         panelWanted = roomForPanel;
+        stepsWanted = roomForSteps;
         // Also where it will be maximised: it is to fit when that ends.
         windowFit.begin();
         if (maximised)
@@ -169,7 +179,16 @@ ApplicationWindow {
         onPreferencesRequested: preferencesDialog.open()
         onTourRequested: tour.start()
         onQuitRequested: root.close()
-        onPanelRequested: root.panelWanted = !root.panelWanted
+        onPanelRequested: {
+            root.panelWanted = !root.panelWanted;
+            if (root.panelWanted && !root.roomForSteps)
+                root.stepsWanted = false;
+        }
+        onStepsRequested: root.stepsWanted = !root.stepsWanted
+    }
+    Shortcut {
+        sequences: ["F10"]
+        onActivated: root.menuBar.itemAt(0).click()
     }
     Shortcut {
         sequences: ["Ctrl+Y"]
@@ -183,7 +202,10 @@ ApplicationWindow {
         parent: Overlay.overlay
         commands: appCommands.all
         onAboutToShow: entries = root.session.farm.hasField ? [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable()] : []
-        onEntryChosen: entry => steps.openSetting(entry.stepId, entry.key)
+        onEntryChosen: entry => {
+            root.stepsWanted = true;
+            steps.openSetting(entry.stepId, entry.key);
+        }
     }
     KeysDialog {
         id: keysDialog
@@ -251,6 +273,8 @@ ApplicationWindow {
         panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen && !root.besideOpen
         farmOpen: root.farmOpen
         panelOpen: root.panelOpen
+        stepsOffered: !root.farmOpen
+        stepsOpen: root.stepsOpen
     }
     FarmPanel {
         id: farmPanel
@@ -274,13 +298,16 @@ ApplicationWindow {
         id: steps
 
         anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
-        width: 348
-        visible: !root.farmOpen
+        // In a small window a drawer over the map.
+        z: root.roomForSteps ? 0 : 1
+        width: Math.min(348, root.width - 48)
+        visible: root.stepsOpen
         planning: root.session.planning
         opener: root.session.opener
         onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
         onCheckRequested: root.showFindings()
+        onExportRequested: exportDialog.open()
         onBestPlanRequested: bestPlanDialog.open()
         onSwathChosen: segment => page.editor.selectSegment(segment)
     }
@@ -288,7 +315,7 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: root.farmOpen ? farmPanel.right : steps.right; right: root.rightPanel.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : root.stepsOpen && root.roomForSteps ? steps.right : parent.left; right: root.rightPanel.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         other: root.session.comparison.drawing
         showOther: root.compareOpen && root.session.comparison.ready && (otherHeld || comparePanel.holding)
@@ -331,7 +358,11 @@ ApplicationWindow {
                 showWheels: layersPanel.layers.wheels,
                 onImagery: layersPanel.layers.online || layersPanel.layers.imagery && root.session.imagery.count > 0,
                 showFindings: layersPanel.layers.findings && !root.steppingCells,
-                selectedFinding: root.currentFinding
+                showOrder: layersPanel.layers.order && !root.steppingCells,
+                selectedFinding: root.currentFinding,
+                selectedSegment: page.editor.selectedSegment,
+                selectedCell: page.editor.selectedCell,
+                old: root.planIsOld
             })
         overlays: [
             DrivenLayer {
@@ -392,13 +423,18 @@ ApplicationWindow {
                     results.showReview();
                     results.reviewSection.write(place);
                 }
+            },
+            FindingPulse {
+                id: pulse
+
+                anchors.fill: parent
+                camera: page.camera
             }
         ]
         onFindingClicked: index => {
-            if (index >= root.session.findings.few)
-                root.session.findings.all = true;
-            root.currentFinding = index;
+            root.openResults();
             page.editor.selectFinding(index);
+            results.showFinding(index);
         }
         onFieldDrawn: boundary => root.session.opener.addDrawn(boundary)
         onInspectRequested: {
@@ -487,7 +523,7 @@ ApplicationWindow {
     DriveBar {
         id: driveBar
 
-        anchors { left: steps.right; right: root.rightPanel.left; bottom: parent.bottom }
+        anchors { left: page.left; right: root.rightPanel.left; bottom: parent.bottom }
         // Beside two panels in a small window there is no room for it.
         visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !root.besideOpen) && root.session.shown.hasPlan && !page.editor.drawing
         slim: root.height < 700
@@ -628,15 +664,6 @@ ApplicationWindow {
         }
     }
     Connections {
-        target: root.session.shown
-
-        function onPlanChanged(): void {
-            if (root.currentFinding >= root.session.findings.count)
-                root.currentFinding = -1;
-        }
-    }
-
-    Connections {
         target: root.session.imagery
 
         function onAdded(area: geoRectangle): void {
@@ -651,6 +678,8 @@ ApplicationWindow {
         root.compareWanted = false;
         root.session.driven.close();
         root.panelWanted = true;
+        if (!root.roomForSteps)
+            root.stepsWanted = false;
     }
     function showCompare(): void {
         root.farmWanted = false;
@@ -672,8 +701,10 @@ ApplicationWindow {
         page.forceActiveFocus();
     }
     function goToFinding(index: int): void {
-        root.currentFinding = index;
-        page.camera.centreOn(root.session.findings.placeOf(index), 17, true);
+        const place = root.session.findings.placeOf(index);
+        page.editor.selectFinding(index);
+        page.camera.centreOn(place, 17, true);
+        pulse.begin(place);
     }
     /// The drive from the beginning of a segment.
     function driveFrom(segment: int): void {
@@ -705,8 +736,6 @@ ApplicationWindow {
         if (count === 0)
             return;
         const next = root.currentFinding < 0 ? (by > 0 ? 0 : count - 1) : (root.currentFinding + by + count) % count;
-        if (next >= root.session.findings.few)
-            root.session.findings.all = true;
         root.openResults();
         root.goToFinding(next);
         results.showFinding(next);

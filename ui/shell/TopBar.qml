@@ -13,6 +13,8 @@ Rectangle {
     property bool panelOffered: false
     property bool panelOpen: true
     property bool farmOpen: false
+    property bool stepsOffered: true
+    property bool stepsOpen: true
     readonly property alias exportButton: exportButton
 
     objectName: "topBar"
@@ -29,14 +31,24 @@ Rectangle {
         spacing: 4
 
         BodyText {
+            visible: root.width > 780
             text: "Furrow"
             color: Theme.accent
             font.pixelSize: 17
             font.weight: Font.Bold
         }
         ToolIconButton {
-            objectName: "farmButton"
+            objectName: "stepsSwitch"
             Layout.leftMargin: 8
+            visible: root.stepsOffered
+            iconName: "steps"
+            hint: root.stepsOpen ? qsTr("Hide the steps") : qsTr("Show the steps")
+            hintBelow: true
+            checked: root.stepsOpen
+            onClicked: root.commands.stepsRequested()
+        }
+        ToolIconButton {
+            objectName: "farmButton"
             visible: root.session.farm.hasField
             iconName: "farm"
             hint: root.commands.named("farm").text
@@ -47,7 +59,8 @@ Rectangle {
         BodyText {
             Layout.maximumWidth: root.width * 0.16
             objectName: "projectName"
-            visible: root.session.farm.hasField
+            // The title of the window says it, too.
+            visible: root.session.farm.hasField && root.width > 780
             text: root.session.files.name.length > 0 ? root.session.files.name : qsTr("Not saved yet")
             color: Theme.muted
             elide: Text.ElideMiddle
@@ -63,7 +76,7 @@ Rectangle {
             Accessible.name: qsTr("There are changes that are not saved")
         }
         BodyText {
-            visible: root.session.farm.hasField
+            visible: root.session.farm.hasField && root.width > 780
             text: "/"
             color: Theme.muted
         }

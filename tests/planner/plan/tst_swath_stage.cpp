@@ -157,7 +157,7 @@ private slots:
         VERIFY_RESULT(plan);
         const auto told = std::ranges::find((*plan)->findings, "decomposition.split", &Finding::setting);
         QVERIFY(told != (*plan)->findings.end());
-        QVERIFY2(told->text.contains("Split line 1 lies outside of the mainland"), told->text.c_str());
+        QVERIFY2(told->text.contains("Split line 1 does not lie inside the headland"), told->text.c_str());
     }
 
     // Nothing is worth lowering the implement for that is shorter than it: a triangle's tip, whatever cuts

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace furrow;
@@ -92,11 +93,10 @@ private slots:
         QCOMPARE(geometry.findings.size(), plan->findings.size());
         QVERIFY(geometry.start && geometry.end);
         QVERIFY(!geometry.headland.empty());
-        std::size_t samples = 0;
-        for (const PathSegment& segment : plan->path.segments) {
-            samples += segment.samples.size();
+        QCOMPARE(geometry.segments.size(), plan->path.segments.size());
+        for (std::size_t i = 0; i < geometry.segments.size(); ++i) {
+            QCOMPARE(geometry.segments[i].points.size(), plan->path.segments[i].samples.size());
         }
-        QCOMPARE(geometry.pathPoints, samples);
     }
     static double areaOf(const FillMesh& mesh) {
         double twice = 0.0;
@@ -145,6 +145,38 @@ private slots:
         }
         // The last swath may lie on the one before it, to end flush with the edge.
         QVERIFY(last <= 2);
+    }
+    // The numbers on the map are those of the swaths, in their order across the field, and say when each is
+    // driven.
+    void numbersAreTheSwaths() {
+        const auto plan = planOf(0.01, 0.004, {{"route.method", "snake"}});
+        const PlanGeometry geometry = planGeometry(*plan);
+        int order = 0;
+        for (const PathSegment& segment : plan->path.segments) {
+            if (segment.kind != SegmentKind::Swath) {
+                continue;
+            }
+            ++order;
+            const auto mark = std::ranges::find(geometry.numbers, segment.number, &NumberMark::number);
+            QVERIFY(mark != geometry.numbers.end());
+            QCOMPARE(mark->order, order);
+        }
+        QVERIFY(std::ranges::is_sorted(geometry.numbers, {}, &NumberMark::number));
+        // In this order the two differ.
+        QVERIFY(!std::ranges::is_sorted(geometry.numbers, {}, &NumberMark::order));
+    }
+    void reverseIsAKindOfItsOwn() {
+        // A wide turning circle and no room beside the field: turns go backwards.
+        const auto plan = planOf(0.004, 0.003, {{"path.method", "fishtail"}, {"headland.width_m", "14"}});
+        const PlanGeometry geometry = planGeometry(*plan);
+        std::size_t reversed = 0;
+        for (std::size_t i = 0; i < geometry.segments.size(); ++i) {
+            const bool isReverse = geometry.segments[i].kind == PathKind::Reverse;
+            QCOMPARE(isReverse,
+                     plan->path.segments[i].gear == Gear::Reverse && plan->path.segments[i].drivable);
+            reversed += isReverse ? 1 : 0;
+        }
+        QVERIFY(reversed > 0);
     }
     void brokenBoundaryIsDrawnAsFarAsItGoes() {
         FieldSource source{.id = "x",

@@ -226,7 +226,7 @@ private slots:
         begin();
         openSample(QStringLiteral("Slanted Field"));
         QCOMPARE(steps().value(2), QStringLiteral("Headland"));
-        QVERIFY(result(2).contains(QStringLiteral("mainland")));
+        QVERIFY(result(2).contains(QStringLiteral("inside")));
         const QStringList findings = [this] {
             QStringList all;
             for (int row = 0; row < session_->findings()->rowCount(); ++row) {

@@ -245,8 +245,12 @@ private slots:
         const auto row = [](const char* term, const QStringList& words) {
             QTest::newRow(term) << QString::fromLatin1(term) << words;
         };
-        row("\\bheadland\\b(?!\\.)", {"vorgewende", "kopakker", "fourrière", "cabecera", "cabeceira"});
-        row("\\bmainland", {"innenfläche", "binnenakker", "plein champ", "interior", "interior"});
+        row("(?<!inside the )(?<!inside of the )\\bheadland\\b(?!\\.)",
+            {"vorgewende", "kopakker", "fourrière", "cabecera", "cabeceira"});
+        row("\\binside (of )?the headland",
+            {"innenfläche|innerhalb des vorgewendes", "binnenakker|binnen de kopakker",
+             "plein champ|intérieur de la fourrière", "interior|dentro de la cabecera",
+             "interior|dentro da cabeceira"});
         row("\\bobstacle", {"hindernis", "obstakel", "obstacle", "obstáculo", "obstáculo"});
         // "Direction of the swaths" is a term of its own.
         row("(?<!direction of the )\\bswath", {"spur", "werkgang", "passage", "pasada", "passada"});

@@ -29,9 +29,9 @@ protected:
     }
     std::size_t steps() const { return session_->document()->history().steps.size(); }
     QPoint middle() const { return middleOf(*map()); }
-    /// 400 by 300 pixels around the middle of the map, at zoom 16.
-    void drawField() {
-        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+    /// 400 by 300 pixels around the middle of the map.
+    void drawField(double zoom = 16.0) {
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, zoom, false);
         key(Qt::Key_B);
         QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
         for (const QPoint corner :

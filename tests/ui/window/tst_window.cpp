@@ -226,8 +226,8 @@ private slots:
         for (int i = 0; i < 120; ++i) {
             frames.move(left + QPoint{20 + i, 0});
         }
-        qInfo("%zu swaths, %zu path points, %lld plans; %s", session_->shown()->plan()->swaths.swaths.size(),
-              session_->shown()->drawing().geometry()->pathPoints, static_cast<long long>(plans.count()),
+        qInfo("%zu swaths, %zu segments, %lld plans; %s", session_->shown()->plan()->swaths.swaths.size(),
+              session_->shown()->plan()->path.segments.size(), static_cast<long long>(plans.count()),
               qPrintable(frames.text()));
         QTest::mouseRelease(window_, Qt::LeftButton, {}, left + QPoint{139, 0});
         QVERIFY(frames.frames() > 0);
