@@ -84,7 +84,7 @@ private slots:
         QVERIFY(!session.farm()->hasField());
         QVERIFY(!session.shown()->hasPlan());
         QVERIFY(session.shown()->drawing().isEmpty());
-        QCOMPARE(session.planning()->steps()->rowCount(), 8);
+        QCOMPARE(session.planning()->steps()->rowCount(), 9);
     }
     void plansADrawnBoundary() {
         Session session;
