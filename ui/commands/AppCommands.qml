@@ -45,6 +45,8 @@ QtObject {
     signal renamePlanRequested()
     signal paletteRequested()
     signal keysRequested()
+    signal guideRequested()
+    signal aboutRequested()
     signal preferencesRequested()
     signal tourRequested()
     signal quitRequested()
@@ -570,6 +572,14 @@ QtObject {
         ScaleCommand { percent: 200 },
         ScaleCommand { percent: 300 },
         Command {
+            objectName: "command.guide"
+            group: root.helpGroup
+            text: qsTr("Guide")
+            shortcut: "F1"
+            keywords: qsTr("help manual how to documentation")
+            onTriggered: root.guideRequested()
+        },
+        Command {
             objectName: "command.tour"
             group: root.helpGroup
             text: qsTr("Take the tour")
@@ -580,9 +590,16 @@ QtObject {
             objectName: "command.keys"
             group: root.helpGroup
             text: qsTr("Keys and mouse")
-            shortcut: "F1"
+            shortcut: "Ctrl+F1"
             keywords: qsTr("shortcuts help")
             onTriggered: root.keysRequested()
+        },
+        Command {
+            objectName: "command.about"
+            group: root.helpGroup
+            text: qsTr("About Furrow")
+            keywords: qsTr("version licence credits")
+            onTriggered: root.aboutRequested()
         }
     ]
 

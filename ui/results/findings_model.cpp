@@ -141,6 +141,14 @@ void FindingsModel::forgetOutcome() {
     }
 }
 
+QStringList FindingsModel::texts() const {
+    QStringList texts;
+    for (const Finding& finding : findings_) {
+        texts << shown(finding.text);
+    }
+    return texts;
+}
+
 QGeoCoordinate FindingsModel::placeOf(int row) const {
     return row >= 0 && row < static_cast<int>(places_.size()) ? places_[static_cast<std::size_t>(row)]
                                                               : QGeoCoordinate{};

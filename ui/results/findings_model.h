@@ -55,6 +55,8 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;
     Q_INVOKABLE QGeoCoordinate placeOf(int row) const;
+    /// Of all findings, shown as rows or not.
+    Q_INVOKABLE QStringList texts() const;
     QString outcome() const;
     /// Makes the change that corrects a finding.
     Q_INVOKABLE void apply(int row);

@@ -10,6 +10,7 @@ import Furrow.Drive
 import Furrow.Driven
 import Furrow.Edit
 import Furrow.Export
+import Furrow.Guide
 import Furrow.Farm
 import Furrow.Layers
 import Furrow.Plan
@@ -31,12 +32,14 @@ ApplicationWindow {
     readonly property bool farmOpen: farmWanted && session.farm.hasField
     /// Two plans are compared in place of the results of one.
     property bool compareWanted: false
-    readonly property bool compareOpen: compareWanted && !farmOpen && session.shown.hasPlan
+    readonly property bool compareOpen: compareWanted && !farmOpen && session.shown.hasPlan && !guideOpen
     /// A recorded track lies over the plan, beside its figures.
-    readonly property bool drivenOpen: session.driven.active && !compareOpen && !farmOpen && session.shown.hasPlan
+    readonly property bool drivenOpen: session.driven.active && !compareOpen && !farmOpen && session.shown.hasPlan && !guideOpen
+    /// The guide is read beside the map.
+    property bool guideOpen: false
     /// What takes the place of the results.
-    readonly property bool besideOpen: compareOpen || drivenOpen
-    readonly property Item rightPanel: compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
+    readonly property bool besideOpen: compareOpen || drivenOpen || guideOpen
+    readonly property Item rightPanel: guideOpen ? guidePanel : compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
     readonly property list<color> drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
     /// Beside the map; otherwise the steps are a drawer over it.
     readonly property bool roomForSteps: width >= 860
@@ -176,6 +179,8 @@ ApplicationWindow {
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
         onKeysRequested: keysDialog.open()
+        onGuideRequested: root.guideOpen ? root.closeGuide() : root.showGuide()
+        onAboutRequested: aboutDialog.open()
         onPreferencesRequested: preferencesDialog.open()
         onTourRequested: tour.start()
         onQuitRequested: root.close()
@@ -201,17 +206,20 @@ ApplicationWindow {
         y: 72
         parent: Overlay.overlay
         commands: appCommands.all
-        onAboutToShow: entries = root.session.farm.hasField ? [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable()] : []
-        onEntryChosen: entry => {
-            root.stepsWanted = true;
-            steps.openSetting(entry.stepId, entry.key);
-        }
+        onAboutToShow: entries = root.searchable()
+        onEntryChosen: entry => root.goTo(entry)
     }
     KeysDialog {
         id: keysDialog
 
         anchors.centerIn: Overlay.overlay
         commands: appCommands.all
+    }
+    AboutDialog {
+        id: aboutDialog
+
+        anchors.centerIn: Overlay.overlay
+        version: Application.version
     }
     PreferencesDialog {
         id: preferencesDialog
@@ -575,6 +583,15 @@ ApplicationWindow {
 
         track: root.session.driven
     }
+    GuidePanel {
+        id: guidePanel
+
+        objectName: "guidePanel"
+        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
+        width: Math.min(440, root.width - 48)
+        visible: root.guideOpen
+        onCloseRequested: root.closeGuide()
+    }
     DrivenPanel {
         id: drivenPanel
 
@@ -674,6 +691,7 @@ ApplicationWindow {
 
     /// The results, in place of whatever stands there or over them.
     function openResults(): void {
+        root.guideOpen = false;
         root.farmWanted = false;
         root.compareWanted = false;
         root.session.driven.close();
@@ -681,7 +699,42 @@ ApplicationWindow {
         if (!root.roomForSteps)
             root.stepsWanted = false;
     }
+    function showGuide(): void {
+        root.guideOpen = true;
+        if (!root.roomForSteps)
+            root.stepsWanted = false;
+        guidePanel.begin();
+    }
+    function closeGuide(): void {
+        root.guideOpen = false;
+        page.forceActiveFocus();
+    }
+    /// What the palette finds beside commands: settings, machines, fields, findings, pages of the guide.
+    function searchable(): var {
+        const pages = guidePanel.guide.searchable(qsTr("Guide"));
+        if (!root.session.farm.hasField)
+            return pages;
+        const fields = root.session.farm.fields.map((name, index) => ({ kind: "field", name: name, group: qsTr("Fields"), keywords: qsTr("field"), index: index }));
+        const findings = root.session.findings.texts().map((text, index) => ({ kind: "finding", name: text, group: qsTr("Findings"), keywords: qsTr("finding"), index: index }));
+        return [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable(), ...fields, ...findings, ...pages];
+    }
+    function goTo(entry: var): void {
+        if (entry.kind === "guide") {
+            root.showGuide();
+            guidePanel.show(entry.chapter, entry.block);
+        } else if (entry.kind === "field") {
+            root.session.farm.currentField = entry.index;
+        } else if (entry.kind === "finding") {
+            root.openResults();
+            root.goToFinding(entry.index);
+            results.showFinding(entry.index);
+        } else {
+            root.stepsWanted = true;
+            steps.openSetting(entry.stepId, entry.key);
+        }
+    }
     function showCompare(): void {
+        root.guideOpen = false;
         root.farmWanted = false;
         root.compareWanted = true;
         comparePanel.begin();
@@ -691,6 +744,7 @@ ApplicationWindow {
         page.forceActiveFocus();
     }
     function showFarm(): void {
+        root.guideOpen = false;
         root.farmWanted = true;
         farmPanel.begin();
         page.camera.fit(root.session.farmList.bounds(), 84, 72, 48, 72, true);

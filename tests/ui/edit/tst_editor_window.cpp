@@ -242,7 +242,7 @@ private slots:
         QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Obstacle);
         key(Qt::Key_Escape);
         QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Select);
-        key(Qt::Key_F1);
+        key(Qt::Key_F1, Qt::ControlModifier);
         QTRY_VERIFY(engine_->rootObjects()
                         .first()
                         ->findChild<QObject*>(QStringLiteral("keysDialog"))

@@ -197,7 +197,7 @@ private slots:
             click(header);
             waitForRest(*item(QStringLiteral("step.path")));
         }
-        key(Qt::Key_F1);
+        key(Qt::Key_F1, Qt::ControlModifier);
         QTRY_VERIFY(isShown(QStringLiteral("keysDialog.close")));
         check(QStringLiteral("keys"));
         click(QStringLiteral("keysDialog.close"));

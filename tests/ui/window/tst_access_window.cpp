@@ -82,7 +82,7 @@ private slots:
         key(Qt::Key_K, Qt::ControlModifier);
         check("palette");
         key(Qt::Key_Escape);
-        key(Qt::Key_F1);
+        key(Qt::Key_F1, Qt::ControlModifier);
         check("keys");
         key(Qt::Key_Escape);
         click(QStringLiteral("exportButton"));

@@ -132,7 +132,7 @@ private slots:
         picture(QStringLiteral("fit-%1-export").arg(name));
         key(Qt::Key_Escape);
         QTRY_VERIFY(!isReachable(QStringLiteral("export.write")));
-        key(Qt::Key_F1);
+        key(Qt::Key_F1, Qt::ControlModifier);
         QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) != nullptr &&
                     item(QStringLiteral("keysDialog.close"))->hasActiveFocus());
         waitForRest(*item(QStringLiteral("keysDialog.close")));

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace furrow {
+
+/// A piece of a chapter as it is shown: text in Markdown, or a picture.
+struct GuideBlock {
+    QString text;     ///< Markdown, or what the picture shows
+    QString picture;  ///< its file name; empty for text
+    QString heading;  ///< of the section that begins here; empty where none does
+
+    friend bool operator==(const GuideBlock&, const GuideBlock&) = default;
+};
+
+struct GuideChapter {
+    QString name;  ///< of its file: "01-first-plan"
+    QString title;
+    std::vector<GuideBlock> blocks;
+};
+
+/// A place where what was looked for stands.
+struct GuideHit {
+    int chapter = 0;
+    int block = 0;
+    QString title;    ///< of the chapter, or of the section
+    QString excerpt;  ///< some words around it
+};
+
+/// A chapter from its file. A block ends before each heading and around each picture.
+GuideChapter guideChapter(const QString& name, const QString& markdown);
+
+/// The blocks that hold every word of the query, those with one in their heading first. Cost: O(text).
+std::vector<GuideHit> searchGuide(const std::vector<GuideChapter>& chapters, const QString& query);
+
+/// The chapters in this language ("de"); in English where there is no translation.
+std::vector<GuideChapter> guideIn(const QString& language);
+
+}  // namespace furrow
