@@ -26,7 +26,7 @@ void prepareWindow() {
     QCoreApplication::setApplicationName(QStringLiteral("Furrow"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Furrow"));
     // By it a desktop finds name and icon of the window.
-    QGuiApplication::setDesktopFileName(QStringLiteral("org.furrow.Furrow"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.furrow.furrow"));
     QGuiApplication::setWindowIcon(QIcon{QStringLiteral(":/furrow/desktop/furrow-128.png")});
     QCoreApplication::setApplicationVersion(QStringLiteral(FURROW_VERSION));
     // Glyphs from a picture: as sharp as in other programs, and cheaper than outlines where there is no
