@@ -1,13 +1,5 @@
-#include "app/cli/audit_command.h"
-#include "app/cli/batch_command.h"
-#include "app/cli/bench_command.h"
-#include "app/cli/compare_command.h"
-#include "app/cli/convert_command.h"
+#include "app/cli/command_line.h"
 #include "app/cli/exit_status.h"
-#include "app/cli/list_command.h"
-#include "app/cli/plan_command.h"
-#include "app/cli/report_command.h"
-#include "planner/version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,20 +11,9 @@
 
 int main(int argc, char** argv) {
     using namespace furrow::cli;
-    CLI::App app{"Furrow plans how a machine covers a farm field: headland, swaths, route and turns."};
-    app.name("furrow-cli");
-    app.set_version_flag("--version", "furrow " + std::string{furrow::kVersion});
-    app.require_subcommand(1);
-    app.footer("furrow-cli COMMAND --help explains a command.");
+    CLI::App app;
     std::function<int()> run;
-    addPlanCommand(app, run);
-    addBatchCommand(app, run);
-    addBenchCommand(app, run);
-    addCompareCommand(app, run);
-    addConvertCommand(app, run);
-    addReportCommand(app, run, [argv](const ReportArguments&) { return handOverToReport(argv); });
-    addAuditCommand(app, run);
-    addListCommand(app, run);
+    addCommands(app, run, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {

@@ -60,7 +60,12 @@ void addReportCommand(CLI::App& app, std::function<int()>& run,
 int handOverToReport(char** argv) {
     std::error_code failed;
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", failed);
-    const std::filesystem::path program = own.parent_path() / "furrow-report";
+    // Beside this program where it was built; among the programs that nobody starts by hand where it was
+    // installed.
+    std::filesystem::path program = own.parent_path() / "furrow-report";
+    if (!std::filesystem::exists(program, failed)) {
+        program = (own.parent_path() / FURROW_REPORT_FROM_BIN).lexically_normal();
+    }
     ::execv(program.c_str(), argv);
     return failWith({.code = ErrorCode::ReadFailed,
                      .what = "the program that prints is not there",

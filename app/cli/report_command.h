@@ -23,8 +23,8 @@ struct ReportArguments {
 void addReportCommand(CLI::App& app, std::function<int()>& run,
                       std::function<int(const ReportArguments&)> print);
 
-/// Hands the whole line to furrow-report, which lies beside this program. It alone needs Qt: what every other
-/// command would lose by loading it is a third of its start.
+/// Hands the whole line to furrow-report, which lies beside this program or in libexec/furrow. It alone needs
+/// Qt: what every other command would lose by loading it is a third of its start.
 ///
 /// @return only where there is no such program: kReadOrWriteFailed, after a line on standard error
 int handOverToReport(char** argv);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The build environment is entered by people who may not write into the Debian 13 root. A root of a few
 # programs stands for it, without any place to mount on; where this runs as root, it is root's, and another
-# user enters it. Written as QtTest writes, so that packaging/test counts the rows.
+# user enters it.
 set -euo pipefail
 
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -9,19 +9,8 @@ source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
 work=$(mktemp -d "/var/tmp/furrow enter.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 home="$work/home/user" project="$work/land/of others/furrow" root="$work/cache/furrow/debian13"
-failed=0
-
-row() { printf '%s: tst_enter::%s()%s\n' "$1" "$2" "${3:+ $3}"; }
-
-# expect ROW SEEN EXPECTED
-expect() {
-    if [ "$2" = "$3" ]; then
-        row 'PASS   ' "$1"
-    else
-        row 'FAIL!  ' "$1" "seen '$2', expected '$3'"
-        failed=1
-    fi
-}
+# shellcheck source=tests/packaging/rows.sh
+. "$source/tests/packaging/rows.sh"
 
 # A program with the libraries that it needs.
 install_program() {

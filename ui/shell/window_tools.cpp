@@ -5,6 +5,7 @@
 
 #include <QFont>
 #include <QGuiApplication>
+#include <QIcon>
 #include <QQuickStyle>
 #include <QQuickWindow>
 #include <QSettings>
@@ -24,6 +25,9 @@ void prepareWindow() {
     QCoreApplication::setOrganizationName(QStringLiteral("Furrow"));
     QCoreApplication::setApplicationName(QStringLiteral("Furrow"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Furrow"));
+    // By it a desktop finds name and icon of the window.
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.furrow.furrow"));
+    QGuiApplication::setWindowIcon(QIcon{QStringLiteral(":/furrow/desktop/furrow-128.png")});
     QCoreApplication::setApplicationVersion(QStringLiteral(FURROW_VERSION));
     // Glyphs from a picture: as sharp as in other programs, and cheaper than outlines where there is no
     // graphics card.
