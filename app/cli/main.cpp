@@ -36,7 +36,7 @@ void refuseEmptyValues(CLI::App& app) {
         ""};
     for (CLI::App* command : app.get_subcommands({})) {
         for (CLI::Option* option : command->get_options()) {
-            if (option->get_type_name() == "FLOAT") {
+            if (option->get_type_name().starts_with("FLOAT")) {
                 option->check(isNumber);
             }
             if (option->get_expected_max() > 0) {

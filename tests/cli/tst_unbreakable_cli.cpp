@@ -167,7 +167,7 @@ private slots:
                                          folder.filePath("plan")});
         QVERIFY(process.waitForStarted());
         const QString status = QStringLiteral("/proc/%1/status").arg(process.processId());
-        QTRY_VERIFY(contentsOf(status).contains("Threads:\t2"));
+        QVERIFY(QTest::qWaitFor([&] { return contentsOf(status).contains("Threads:\t2"); }, 5'000));
         QElapsedTimer timer;
         timer.start();
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);

@@ -25,6 +25,8 @@ namespace furrow {
 
 namespace {
 
+constexpr std::string_view kSqliteMagic = "SQLite format 3";
+
 // The tables of a GeoPackage and of its drivers.
 constexpr std::string_view kOwnNames[] = {"gpkg_", "ogr_", "rtree_", "sqlite_"};
 
@@ -141,8 +143,7 @@ Result<void> checkSize(const VectorSource& source, std::string_view start) {
 /// A view may be a question that never ends. The tables of a GeoPackage that say what is in it are none in
 /// any good one, and a layer that is one can be exported as a table.
 Result<void> checkViews(const VectorSource& source, std::string_view start) {
-    using namespace std::string_view_literals;
-    if (!start.starts_with("SQLite format 3\0"sv)) {
+    if (!start.starts_with(kSqliteMagic)) {
         return {};
     }
     const bool inZip = source.path.starts_with("/vsizip/");

@@ -14,7 +14,7 @@ private slots:
         QTest::addColumn<QByteArray>("what");
         QTest::newRow("a list") << QByteArray{"[1]"} << QByteArray{"not a JSON object"};
         QTest::newRow("cut off") << QByteArray{"{\"headland.width_m\": 12"}
-                                 << QByteArray{"s.json, line 1, column 23: this is not JSON"};
+                                 << QByteArray{"s.json, line 1, column 24: this is not JSON"};
         QTest::newRow("200,000 brackets")
             << QByteArray{"{\"route.order\": "} + QByteArray(100'000, '[') + QByteArray(100'000, ']') + "}"
             << QByteArray{"s.json, line 1, column 116: lists and objects lie too deep"};
@@ -38,7 +38,7 @@ private slots:
     // Brackets in a text are no lists.
     void bracketsInTextsAreText() {
         Settings settings;
-        const std::string text = R"({"swaths.rows": ")" + std::string(1000, '[') + R"(\"[[[{"})";
+        const std::string text = "{\"swaths.rows\": \"" + std::string(1000, '[') + "\\\"{{{\"}";
         VERIFY_RESULT(applySettingsJson(settings, text, "s.json"));
     }
 };
