@@ -128,6 +128,8 @@ VectorDataset::Dataset VectorDataset::openWith(const std::string& path, const ch
     options.SetNameValue("WRITE_GFS", "NO");        // GML: nothing is written beside the file
     options.SetNameValue("DOWNLOAD_SCHEMA", "NO");  // GML
     options.SetNameValue("GEOM_POSSIBLE_NAMES", "WKT,geom,geometry,the_geom,polygon,boundary");  // CSV
+    // GeoPackage: a view that is no layer may never end, and holds no fields.
+    options.SetNameValue("LIST_ALL_TABLES", "NO");
     // SQLite would leave files beside a GeoPackage; unless there are changes still waiting in one.
     if (!systemFileExists(path + "-wal")) {
         options.SetNameValue("IMMUTABLE", "YES");
