@@ -1997,14 +1997,6 @@
         <translation>%1 kann nicht erstellt werden: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be steered</source>
-        <translation>%1 lassen sich nicht lenken</translation>
-    </message>
-    <message>
-        <source>%1 cannot be worked with</source>
-        <translation>mit %1 lässt sich nicht arbeiten</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 quert ein Hindernis, um %2.</translation>
     </message>
@@ -2015,10 +2007,6 @@
     <message>
         <source>%1 does not fit here</source>
         <translation>%1 passt hier nicht</translation>
-    </message>
-    <message>
-        <source>%1 for each swath makes over a million swaths</source>
-        <translation>%1 je Spur ergibt über eine Million Spuren</translation>
     </message>
     <message>
         <source>%1 for transport is wider than the machine at work, %2</source>
@@ -3983,10 +3971,6 @@
         <translation>ein Hindernis hat keine Form</translation>
     </message>
     <message>
-        <source>an offset is not a finite number</source>
-        <translation>ein Versatz ist keine endliche Zahl</translation>
-    </message>
-    <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>eine Überlappung von %1 lässt von %2 nichts übrig</translation>
     </message>
@@ -4255,10 +4239,6 @@
         <translation>eine Zahl angeben</translation>
     </message>
     <message>
-        <source>give a number above 0</source>
-        <translation>eine Zahl über 0 angeben</translation>
-    </message>
-    <message>
         <source>give a number from %1 to %2</source>
         <translation>eine Zahl von %1 bis %2 angeben</translation>
     </message>
@@ -4269,10 +4249,6 @@
     <message>
         <source>give a number in %1</source>
         <translation>eine Zahl in %1 angeben</translation>
-    </message>
-    <message>
-        <source>give a number of 0 or more</source>
-        <translation>eine Zahl von 0 oder mehr angeben</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
@@ -4305,10 +4281,6 @@
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
         <translation>einen EPSG-Code angeben, wie SRID=4326;POLYGON(...)</translation>
-    </message>
-    <message>
-        <source>give an angle above 0 and below 90 degrees</source>
-        <translation>einen Winkel über 0 und unter 90 Grad angeben</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -4391,10 +4363,6 @@
         <translation>den Ordner einer Aufzeichnung angeben</translation>
     </message>
     <message>
-        <source>give the offsets in metres</source>
-        <translation>den Versatz in Metern angeben</translation>
-    </message>
-    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>die Punkte in Grad (WGS84) angeben, Länge in lon und Breite in lat</translation>
     </message>
@@ -4425,10 +4393,6 @@
     <message>
         <source>hole %1 encloses no area and was left out</source>
         <translation>Aussparung %1 umschließt keine Fläche und wurde weggelassen</translation>
-    </message>
-    <message>
-        <source>implement offsets</source>
-        <translation>Versatz des Geräts</translation>
     </message>
     <message>
         <source>it does not say in which coordinate system it is</source>
@@ -4491,14 +4455,6 @@
         <translation>das ist kein Höhenraster</translation>
     </message>
     <message>
-        <source>it is not JSON (byte %1)</source>
-        <translation>es ist kein JSON (Byte %1)</translation>
-    </message>
-    <message>
-        <source>it is not JSON at %1</source>
-        <translation>es ist kein JSON: %1</translation>
-    </message>
-    <message>
         <source>it is not a length</source>
         <translation>das ist keine Länge</translation>
     </message>
@@ -4529,10 +4485,6 @@
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
         <translation>sie braucht Breite und Länge, wie 52.09,5.66</translation>
-    </message>
-    <message>
-        <source>it would grow more than a thousandfold when it is unpacked</source>
-        <translation>es würde beim Entpacken auf mehr als das Tausendfache wachsen</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -5869,14 +5821,6 @@
         <translation>Auf Transportbreite einklappen, im Stand; zum Ausklappen noch einmal so lang.</translation>
     </message>
     <message>
-        <source>%1 s to fold are more than an hour</source>
-        <translation>%1 s zum Einklappen sind mehr als eine Stunde</translation>
-    </message>
-    <message>
-        <source>give a number from 0 to 3600</source>
-        <translation>eine Zahl von 0 bis 3600 angeben</translation>
-    </message>
-    <message>
         <source>Fuel</source>
         <translation>Kraftstoff</translation>
     </message>
@@ -6229,6 +6173,70 @@
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
         <translation>%1 werden mit ausgehobenem Gerät über das Feld gefahren; am längsten: %2.</translation>
+    </message>
+    <message>
+        <source>%1 for each swath gives %2 swaths, and no plan may have more than %3</source>
+        <translation>%1 je Spur ergeben %2 Spuren, und kein Plan darf mehr als %3 haben</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what machines have</source>
+        <translation>%1 geht über alles hinaus, was Maschinen haben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in it is a view</source>
+        <translation>„%1“ darin ist eine Sicht (View)</translation>
+    </message>
+    <message>
+        <source>a text with fields may take %1 MiB, and this one takes more</source>
+        <translation>ein Text mit Schlägen darf %1 MiB haben, und dieser hat mehr</translation>
+    </message>
+    <message>
+        <source>a value in it is not of the kind that belongs there</source>
+        <translation>ein Wert darin ist nicht von der Art, die dorthin gehört</translation>
+    </message>
+    <message>
+        <source>correct one of them, or give min_turning_radius_m</source>
+        <translation>eins davon berichtigen oder min_turning_radius_m angeben</translation>
+    </message>
+    <message>
+        <source>cut it into parts, or export it as a GeoPackage</source>
+        <translation>in Teile zerlegen oder als GeoPackage exportieren</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>gemeint %1?</translation>
+    </message>
+    <message>
+        <source>export it as a table, or remove it</source>
+        <translation>als Tabelle exportieren oder entfernen</translation>
+    </message>
+    <message>
+        <source>it would grow more than three hundredfold when it is unpacked</source>
+        <translation>beim Entpacken würde es mehr als das Dreihundertfache</translation>
+    </message>
+    <message>
+        <source>it would take more than 2 GiB when it is unpacked</source>
+        <translation>entpackt hätte es mehr als 2 GiB</translation>
+    </message>
+    <message>
+        <source>lists and objects lie too deep in one another here</source>
+        <translation>Listen und Objekte sind hier zu tief ineinander geschachtelt</translation>
+    </message>
+    <message>
+        <source>remove what does not belong there</source>
+        <translation>entfernen, was nicht dorthin gehört</translation>
+    </message>
+    <message>
+        <source>the file is far too large for what it should hold</source>
+        <translation>die Datei ist viel zu groß für das, was darin stehen soll</translation>
+    </message>
+    <message>
+        <source>unpack it and give one of its files</source>
+        <translation>entpacken und eine der Dateien angeben</translation>
+    </message>
+    <message>
+        <source>with this wheelbase, %1 give a turning radius of %2</source>
+        <translation>bei diesem Radstand ergeben %1 einen Wenderadius von %2</translation>
     </message>
 </context>
 <context>

@@ -1997,14 +1997,6 @@
         <translation>no se puede crear %1: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be steered</source>
-        <translation>%1 no se pueden girar</translation>
-    </message>
-    <message>
-        <source>%1 cannot be worked with</source>
-        <translation>con %1 no se puede trabajar</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 cruza un obstáculo, %2.</translation>
     </message>
@@ -2015,10 +2007,6 @@
     <message>
         <source>%1 does not fit here</source>
         <translation>%1 no encaja aquí</translation>
-    </message>
-    <message>
-        <source>%1 for each swath makes over a million swaths</source>
-        <translation>%1 por pasada dan más de un millón de pasadas</translation>
     </message>
     <message>
         <source>%1 for transport is wider than the machine at work, %2</source>
@@ -3983,10 +3971,6 @@
         <translation>un obstáculo no tiene forma</translation>
     </message>
     <message>
-        <source>an offset is not a finite number</source>
-        <translation>un desplazamiento no es un número finito</translation>
-    </message>
-    <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>un solape de %1 no deja nada de %2</translation>
     </message>
@@ -4255,10 +4239,6 @@
         <translation>indique un número</translation>
     </message>
     <message>
-        <source>give a number above 0</source>
-        <translation>indique un número mayor que 0</translation>
-    </message>
-    <message>
         <source>give a number from %1 to %2</source>
         <translation>indique un número de %1 a %2</translation>
     </message>
@@ -4269,10 +4249,6 @@
     <message>
         <source>give a number in %1</source>
         <translation>indique un número en %1</translation>
-    </message>
-    <message>
-        <source>give a number of 0 or more</source>
-        <translation>indique un número de 0 o más</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
@@ -4305,10 +4281,6 @@
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
         <translation>indique un código EPSG, como SRID=4326;POLYGON(...)</translation>
-    </message>
-    <message>
-        <source>give an angle above 0 and below 90 degrees</source>
-        <translation>indique un ángulo mayor que 0 y menor que 90 grados</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -4391,10 +4363,6 @@
         <translation>indique la carpeta de una grabación</translation>
     </message>
     <message>
-        <source>give the offsets in metres</source>
-        <translation>indique los desplazamientos en metros</translation>
-    </message>
-    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>indique los puntos en grados (WGS84), longitud en lon y latitud en lat</translation>
     </message>
@@ -4425,10 +4393,6 @@
     <message>
         <source>hole %1 encloses no area and was left out</source>
         <translation>el hueco %1 no encierra superficie y se ha omitido</translation>
-    </message>
-    <message>
-        <source>implement offsets</source>
-        <translation>desplazamientos del apero</translation>
     </message>
     <message>
         <source>it does not say in which coordinate system it is</source>
@@ -4491,14 +4455,6 @@
         <translation>no es un ráster de alturas</translation>
     </message>
     <message>
-        <source>it is not JSON (byte %1)</source>
-        <translation>no es JSON (byte %1)</translation>
-    </message>
-    <message>
-        <source>it is not JSON at %1</source>
-        <translation>no es JSON: %1</translation>
-    </message>
-    <message>
         <source>it is not a length</source>
         <translation>no es una longitud</translation>
     </message>
@@ -4529,10 +4485,6 @@
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
         <translation>necesita latitud y longitud, como 52.09,5.66</translation>
-    </message>
-    <message>
-        <source>it would grow more than a thousandfold when it is unpacked</source>
-        <translation>crecería más de mil veces al descomprimirlo</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -5869,14 +5821,6 @@
         <translation>Para plegar al ancho de transporte, parado; otro tanto para desplegar.</translation>
     </message>
     <message>
-        <source>%1 s to fold are more than an hour</source>
-        <translation>%1 s para plegar son más de una hora</translation>
-    </message>
-    <message>
-        <source>give a number from 0 to 3600</source>
-        <translation>indique un número de 0 a 3600</translation>
-    </message>
-    <message>
         <source>Fuel</source>
         <translation>Combustible</translation>
     </message>
@@ -6229,6 +6173,70 @@
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
         <translation>Se recorren %1 sobre la parcela con el apero levantado; lo más largo: %2.</translation>
+    </message>
+    <message>
+        <source>%1 for each swath gives %2 swaths, and no plan may have more than %3</source>
+        <translation>%1 por pasada dan %2 pasadas, y ningún plan puede tener más de %3</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what machines have</source>
+        <translation>%1 está fuera de lo que tienen las máquinas</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in it is a view</source>
+        <translation>«%1» es una vista</translation>
+    </message>
+    <message>
+        <source>a text with fields may take %1 MiB, and this one takes more</source>
+        <translation>un texto con parcelas puede ocupar %1 MiB, y este ocupa más</translation>
+    </message>
+    <message>
+        <source>a value in it is not of the kind that belongs there</source>
+        <translation>un valor no es del tipo que corresponde ahí</translation>
+    </message>
+    <message>
+        <source>correct one of them, or give min_turning_radius_m</source>
+        <translation>corrija uno de los dos o indique min_turning_radius_m</translation>
+    </message>
+    <message>
+        <source>cut it into parts, or export it as a GeoPackage</source>
+        <translation>divídalo en partes o expórtelo como GeoPackage</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>¿quería decir %1?</translation>
+    </message>
+    <message>
+        <source>export it as a table, or remove it</source>
+        <translation>expórtela como tabla o quítela</translation>
+    </message>
+    <message>
+        <source>it would grow more than three hundredfold when it is unpacked</source>
+        <translation>crecería más de trescientas veces al descomprimirse</translation>
+    </message>
+    <message>
+        <source>it would take more than 2 GiB when it is unpacked</source>
+        <translation>descomprimido ocuparía más de 2 GiB</translation>
+    </message>
+    <message>
+        <source>lists and objects lie too deep in one another here</source>
+        <translation>aquí hay listas y objetos anidados a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>remove what does not belong there</source>
+        <translation>quite lo que no corresponde ahí</translation>
+    </message>
+    <message>
+        <source>the file is far too large for what it should hold</source>
+        <translation>el archivo es demasiado grande para lo que debería contener</translation>
+    </message>
+    <message>
+        <source>unpack it and give one of its files</source>
+        <translation>descomprímalo e indique uno de sus archivos</translation>
+    </message>
+    <message>
+        <source>with this wheelbase, %1 give a turning radius of %2</source>
+        <translation>con esta distancia entre ejes, %1 dan un radio de giro de %2</translation>
     </message>
 </context>
 <context>

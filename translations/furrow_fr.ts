@@ -1997,14 +1997,6 @@
         <translation>%1 ne peut être créé : %2</translation>
     </message>
     <message>
-        <source>%1 cannot be steered</source>
-        <translation>%1 ne peut être braqué</translation>
-    </message>
-    <message>
-        <source>%1 cannot be worked with</source>
-        <translation>%1 n&apos;est pas utilisable</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 traverse un obstacle, de %2.</translation>
     </message>
@@ -2015,10 +2007,6 @@
     <message>
         <source>%1 does not fit here</source>
         <translation>%1 ne convient pas ici</translation>
-    </message>
-    <message>
-        <source>%1 for each swath makes over a million swaths</source>
-        <translation>%1 par passage donne plus d&apos;un million de passages</translation>
     </message>
     <message>
         <source>%1 for transport is wider than the machine at work, %2</source>
@@ -3983,10 +3971,6 @@
         <translation>un obstacle n&apos;a pas de forme</translation>
     </message>
     <message>
-        <source>an offset is not a finite number</source>
-        <translation>un déport n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>un recouvrement de %1 ne laisse rien de %2</translation>
     </message>
@@ -4255,10 +4239,6 @@
         <translation>donner un nombre</translation>
     </message>
     <message>
-        <source>give a number above 0</source>
-        <translation>donner un nombre supérieur à 0</translation>
-    </message>
-    <message>
         <source>give a number from %1 to %2</source>
         <translation>donner un nombre de %1 à %2</translation>
     </message>
@@ -4269,10 +4249,6 @@
     <message>
         <source>give a number in %1</source>
         <translation>donner un nombre en %1</translation>
-    </message>
-    <message>
-        <source>give a number of 0 or more</source>
-        <translation>donner un nombre de 0 ou plus</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
@@ -4305,10 +4281,6 @@
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
         <translation>donner un code EPSG, comme SRID=4326;POLYGON(...)</translation>
-    </message>
-    <message>
-        <source>give an angle above 0 and below 90 degrees</source>
-        <translation>donner un angle entre 0 et 90 degrés</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -4391,10 +4363,6 @@
         <translation>donner le dossier d&apos;un enregistrement</translation>
     </message>
     <message>
-        <source>give the offsets in metres</source>
-        <translation>donner les déports en mètres</translation>
-    </message>
-    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>donner les points en degrés (WGS84), longitude dans lon et latitude dans lat</translation>
     </message>
@@ -4425,10 +4393,6 @@
     <message>
         <source>hole %1 encloses no area and was left out</source>
         <translation>l&apos;enclave %1 n&apos;enferme aucune surface et a été laissée de côté</translation>
-    </message>
-    <message>
-        <source>implement offsets</source>
-        <translation>déports de l&apos;outil</translation>
     </message>
     <message>
         <source>it does not say in which coordinate system it is</source>
@@ -4491,14 +4455,6 @@
         <translation>ce n&apos;est pas une grille d&apos;altitudes</translation>
     </message>
     <message>
-        <source>it is not JSON (byte %1)</source>
-        <translation>ce n&apos;est pas du JSON (octet %1)</translation>
-    </message>
-    <message>
-        <source>it is not JSON at %1</source>
-        <translation>ce n&apos;est pas du JSON : %1</translation>
-    </message>
-    <message>
         <source>it is not a length</source>
         <translation>ce n&apos;est pas une longueur</translation>
     </message>
@@ -4529,10 +4485,6 @@
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
         <translation>il lui faut latitude et longitude, comme 52.09,5.66</translation>
-    </message>
-    <message>
-        <source>it would grow more than a thousandfold when it is unpacked</source>
-        <translation>il grossirait plus de mille fois à la décompression</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -5869,14 +5821,6 @@
         <translation>Pour replier à la largeur de transport, à l’arrêt ; autant pour déplier.</translation>
     </message>
     <message>
-        <source>%1 s to fold are more than an hour</source>
-        <translation>%1 s pour replier dépassent une heure</translation>
-    </message>
-    <message>
-        <source>give a number from 0 to 3600</source>
-        <translation>donner un nombre de 0 à 3600</translation>
-    </message>
-    <message>
         <source>Fuel</source>
         <translation>Carburant</translation>
     </message>
@@ -6229,6 +6173,70 @@
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
         <translation>%1 sont parcourus sur la parcelle outil relevé ; le plus long : %2.</translation>
+    </message>
+    <message>
+        <source>%1 for each swath gives %2 swaths, and no plan may have more than %3</source>
+        <translation>%1 par passage donnent %2 passages, et aucun plan ne peut en avoir plus de %3</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what machines have</source>
+        <translation>%1 dépasse ce qu’ont les machines</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in it is a view</source>
+        <translation>« %1 » y est une vue</translation>
+    </message>
+    <message>
+        <source>a text with fields may take %1 MiB, and this one takes more</source>
+        <translation>un texte avec des parcelles peut prendre %1 Mio, et celui-ci en prend plus</translation>
+    </message>
+    <message>
+        <source>a value in it is not of the kind that belongs there</source>
+        <translation>une valeur n’est pas du type attendu à cet endroit</translation>
+    </message>
+    <message>
+        <source>correct one of them, or give min_turning_radius_m</source>
+        <translation>corrigez l’un des deux ou indiquez min_turning_radius_m</translation>
+    </message>
+    <message>
+        <source>cut it into parts, or export it as a GeoPackage</source>
+        <translation>découpez-le, ou exportez-le en GeoPackage</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>vouliez-vous dire %1 ?</translation>
+    </message>
+    <message>
+        <source>export it as a table, or remove it</source>
+        <translation>exportez-la comme table, ou retirez-la</translation>
+    </message>
+    <message>
+        <source>it would grow more than three hundredfold when it is unpacked</source>
+        <translation>il grossirait plus de trois cents fois à la décompression</translation>
+    </message>
+    <message>
+        <source>it would take more than 2 GiB when it is unpacked</source>
+        <translation>décompressé, il prendrait plus de 2 Gio</translation>
+    </message>
+    <message>
+        <source>lists and objects lie too deep in one another here</source>
+        <translation>des listes et des objets sont imbriqués trop profondément ici</translation>
+    </message>
+    <message>
+        <source>remove what does not belong there</source>
+        <translation>retirez ce qui n’a pas sa place ici</translation>
+    </message>
+    <message>
+        <source>the file is far too large for what it should hold</source>
+        <translation>le fichier est bien trop grand pour ce qu’il devrait contenir</translation>
+    </message>
+    <message>
+        <source>unpack it and give one of its files</source>
+        <translation>décompressez-le et indiquez un de ses fichiers</translation>
+    </message>
+    <message>
+        <source>with this wheelbase, %1 give a turning radius of %2</source>
+        <translation>avec cet empattement, %1 donnent un rayon de braquage de %2</translation>
     </message>
 </context>
 <context>

@@ -1997,14 +1997,6 @@
         <translation>%1 kan niet gemaakt worden: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be steered</source>
-        <translation>%1 kan niet gestuurd worden</translation>
-    </message>
-    <message>
-        <source>%1 cannot be worked with</source>
-        <translation>met %1 valt niet te werken</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 gaat %2 over een obstakel.</translation>
     </message>
@@ -2015,10 +2007,6 @@
     <message>
         <source>%1 does not fit here</source>
         <translation>%1 past hier niet</translation>
-    </message>
-    <message>
-        <source>%1 for each swath makes over a million swaths</source>
-        <translation>%1 per werkgang geeft meer dan een miljoen werkgangen</translation>
     </message>
     <message>
         <source>%1 for transport is wider than the machine at work, %2</source>
@@ -3983,10 +3971,6 @@
         <translation>een obstakel heeft geen vorm</translation>
     </message>
     <message>
-        <source>an offset is not a finite number</source>
-        <translation>een verzet is geen eindig getal</translation>
-    </message>
-    <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>een overlap van %1 laat niets over van %2</translation>
     </message>
@@ -4255,10 +4239,6 @@
         <translation>geef een getal</translation>
     </message>
     <message>
-        <source>give a number above 0</source>
-        <translation>geef een getal boven 0</translation>
-    </message>
-    <message>
         <source>give a number from %1 to %2</source>
         <translation>geef een getal van %1 tot %2</translation>
     </message>
@@ -4269,10 +4249,6 @@
     <message>
         <source>give a number in %1</source>
         <translation>geef een getal in %1</translation>
-    </message>
-    <message>
-        <source>give a number of 0 or more</source>
-        <translation>geef een getal van 0 of meer</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
@@ -4305,10 +4281,6 @@
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
         <translation>geef een EPSG-code, zoals SRID=4326;POLYGON(...)</translation>
-    </message>
-    <message>
-        <source>give an angle above 0 and below 90 degrees</source>
-        <translation>geef een hoek boven 0 en onder 90 graden</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -4391,10 +4363,6 @@
         <translation>geef de map van één opname</translation>
     </message>
     <message>
-        <source>give the offsets in metres</source>
-        <translation>geef het verzet in meters</translation>
-    </message>
-    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>geef de punten in graden (WGS84), lengte in lon en breedte in lat</translation>
     </message>
@@ -4425,10 +4393,6 @@
     <message>
         <source>hole %1 encloses no area and was left out</source>
         <translation>gat %1 sluit geen oppervlakte in en is weggelaten</translation>
-    </message>
-    <message>
-        <source>implement offsets</source>
-        <translation>verzet van het werktuig</translation>
     </message>
     <message>
         <source>it does not say in which coordinate system it is</source>
@@ -4491,14 +4455,6 @@
         <translation>het is geen hoogteraster</translation>
     </message>
     <message>
-        <source>it is not JSON (byte %1)</source>
-        <translation>het is geen JSON (byte %1)</translation>
-    </message>
-    <message>
-        <source>it is not JSON at %1</source>
-        <translation>het is geen JSON: %1</translation>
-    </message>
-    <message>
         <source>it is not a length</source>
         <translation>dat is geen lengte</translation>
     </message>
@@ -4529,10 +4485,6 @@
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
         <translation>die heeft breedte en lengte nodig, zoals 52.09,5.66</translation>
-    </message>
-    <message>
-        <source>it would grow more than a thousandfold when it is unpacked</source>
-        <translation>het zou bij het uitpakken meer dan duizendmaal zo groot worden</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -5869,14 +5821,6 @@
         <translation>Opklappen tot transportbreedte, stilstaand; voor uitklappen nog eens zo lang.</translation>
     </message>
     <message>
-        <source>%1 s to fold are more than an hour</source>
-        <translation>%1 s om op te klappen is meer dan een uur</translation>
-    </message>
-    <message>
-        <source>give a number from 0 to 3600</source>
-        <translation>geef een getal van 0 tot 3600</translation>
-    </message>
-    <message>
         <source>Fuel</source>
         <translation>Brandstof</translation>
     </message>
@@ -6229,6 +6173,70 @@
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
         <translation>%1 wordt met het werktuig omhoog over het perceel gereden; het langst: %2.</translation>
+    </message>
+    <message>
+        <source>%1 for each swath gives %2 swaths, and no plan may have more than %3</source>
+        <translation>%1 per werkgang geeft %2 werkgangen, en geen plan mag er meer dan %3 hebben</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what machines have</source>
+        <translation>%1 valt buiten wat machines hebben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in it is a view</source>
+        <translation>‘%1’ daarin is een view</translation>
+    </message>
+    <message>
+        <source>a text with fields may take %1 MiB, and this one takes more</source>
+        <translation>een tekst met percelen mag %1 MiB groot zijn, en deze is groter</translation>
+    </message>
+    <message>
+        <source>a value in it is not of the kind that belongs there</source>
+        <translation>een waarde erin is niet van de soort die daar hoort</translation>
+    </message>
+    <message>
+        <source>correct one of them, or give min_turning_radius_m</source>
+        <translation>corrigeer een van beide of geef min_turning_radius_m</translation>
+    </message>
+    <message>
+        <source>cut it into parts, or export it as a GeoPackage</source>
+        <translation>deel het op of exporteer het als GeoPackage</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>bedoelde u %1?</translation>
+    </message>
+    <message>
+        <source>export it as a table, or remove it</source>
+        <translation>exporteer hem als tabel of verwijder hem</translation>
+    </message>
+    <message>
+        <source>it would grow more than three hundredfold when it is unpacked</source>
+        <translation>het zou bij het uitpakken meer dan driehonderd keer zo groot worden</translation>
+    </message>
+    <message>
+        <source>it would take more than 2 GiB when it is unpacked</source>
+        <translation>uitgepakt zou het meer dan 2 GiB zijn</translation>
+    </message>
+    <message>
+        <source>lists and objects lie too deep in one another here</source>
+        <translation>lijsten en objecten zijn hier te diep in elkaar genest</translation>
+    </message>
+    <message>
+        <source>remove what does not belong there</source>
+        <translation>verwijder wat daar niet hoort</translation>
+    </message>
+    <message>
+        <source>the file is far too large for what it should hold</source>
+        <translation>het bestand is veel te groot voor wat erin hoort te staan</translation>
+    </message>
+    <message>
+        <source>unpack it and give one of its files</source>
+        <translation>pak het uit en geef een van de bestanden</translation>
+    </message>
+    <message>
+        <source>with this wheelbase, %1 give a turning radius of %2</source>
+        <translation>bij deze wielbasis geeft %1 een draaistraal van %2</translation>
     </message>
 </context>
 <context>

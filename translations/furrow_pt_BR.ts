@@ -1997,14 +1997,6 @@
         <translation>não é possível criar %1: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be steered</source>
-        <translation>%1 não pode ser esterçado</translation>
-    </message>
-    <message>
-        <source>%1 cannot be worked with</source>
-        <translation>não dá para trabalhar com %1</translation>
-    </message>
-    <message>
         <source>%1 crosses an obstacle, by %2.</source>
         <translation>%1 cruza um obstáculo, %2.</translation>
     </message>
@@ -2015,10 +2007,6 @@
     <message>
         <source>%1 does not fit here</source>
         <translation>%1 não serve aqui</translation>
-    </message>
-    <message>
-        <source>%1 for each swath makes over a million swaths</source>
-        <translation>%1 por passada dão mais de um milhão de passadas</translation>
     </message>
     <message>
         <source>%1 for transport is wider than the machine at work, %2</source>
@@ -3983,10 +3971,6 @@
         <translation>um obstáculo não tem forma</translation>
     </message>
     <message>
-        <source>an offset is not a finite number</source>
-        <translation>um deslocamento não é um número finito</translation>
-    </message>
-    <message>
         <source>an overlap of %1 leaves nothing of %2</source>
         <translation>uma sobreposição de %1 não deixa nada de %2</translation>
     </message>
@@ -4255,10 +4239,6 @@
         <translation>dê um número</translation>
     </message>
     <message>
-        <source>give a number above 0</source>
-        <translation>dê um número maior que 0</translation>
-    </message>
-    <message>
         <source>give a number from %1 to %2</source>
         <translation>dê um número de %1 a %2</translation>
     </message>
@@ -4269,10 +4249,6 @@
     <message>
         <source>give a number in %1</source>
         <translation>dê um número em %1</translation>
-    </message>
-    <message>
-        <source>give a number of 0 or more</source>
-        <translation>dê um número de 0 ou mais</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
@@ -4305,10 +4281,6 @@
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
         <translation>dê um código EPSG, como SRID=4326;POLYGON(...)</translation>
-    </message>
-    <message>
-        <source>give an angle above 0 and below 90 degrees</source>
-        <translation>dê um ângulo acima de 0 e abaixo de 90 graus</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
@@ -4391,10 +4363,6 @@
         <translation>dê a pasta de uma gravação</translation>
     </message>
     <message>
-        <source>give the offsets in metres</source>
-        <translation>dê os deslocamentos em metros</translation>
-    </message>
-    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>dê os pontos em graus (WGS84), longitude em lon e latitude em lat</translation>
     </message>
@@ -4425,10 +4393,6 @@
     <message>
         <source>hole %1 encloses no area and was left out</source>
         <translation>o vazio %1 não cerca área e foi deixado de fora</translation>
-    </message>
-    <message>
-        <source>implement offsets</source>
-        <translation>deslocamentos do implemento</translation>
     </message>
     <message>
         <source>it does not say in which coordinate system it is</source>
@@ -4491,14 +4455,6 @@
         <translation>não é um raster de altitudes</translation>
     </message>
     <message>
-        <source>it is not JSON (byte %1)</source>
-        <translation>não é JSON (byte %1)</translation>
-    </message>
-    <message>
-        <source>it is not JSON at %1</source>
-        <translation>não é JSON: %1</translation>
-    </message>
-    <message>
         <source>it is not a length</source>
         <translation>não é um comprimento</translation>
     </message>
@@ -4529,10 +4485,6 @@
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
         <translation>precisa de latitude e longitude, como 52.09,5.66</translation>
-    </message>
-    <message>
-        <source>it would grow more than a thousandfold when it is unpacked</source>
-        <translation>cresceria mais de mil vezes ao descompactar</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -5869,14 +5821,6 @@
         <translation>Para dobrar até a largura de transporte, parado; o mesmo tempo para desdobrar.</translation>
     </message>
     <message>
-        <source>%1 s to fold are more than an hour</source>
-        <translation>%1 s para dobrar são mais de uma hora</translation>
-    </message>
-    <message>
-        <source>give a number from 0 to 3600</source>
-        <translation>dê um número de 0 a 3600</translation>
-    </message>
-    <message>
         <source>Fuel</source>
         <translation>Combustível</translation>
     </message>
@@ -6229,6 +6173,70 @@
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
         <translation>%1 são percorridos sobre o talhão com o implemento levantado; o mais longo: %2.</translation>
+    </message>
+    <message>
+        <source>%1 for each swath gives %2 swaths, and no plan may have more than %3</source>
+        <translation>%1 por passada dão %2 passadas, e nenhum plano pode ter mais de %3</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what machines have</source>
+        <translation>%1 está fora do que as máquinas têm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in it is a view</source>
+        <translation>“%1” nele é uma visão (view)</translation>
+    </message>
+    <message>
+        <source>a text with fields may take %1 MiB, and this one takes more</source>
+        <translation>um texto com talhões pode ocupar %1 MiB, e este ocupa mais</translation>
+    </message>
+    <message>
+        <source>a value in it is not of the kind that belongs there</source>
+        <translation>um valor não é do tipo que pertence ali</translation>
+    </message>
+    <message>
+        <source>correct one of them, or give min_turning_radius_m</source>
+        <translation>corrija um deles ou informe min_turning_radius_m</translation>
+    </message>
+    <message>
+        <source>cut it into parts, or export it as a GeoPackage</source>
+        <translation>divida-o em partes ou exporte-o como GeoPackage</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>você quis dizer %1?</translation>
+    </message>
+    <message>
+        <source>export it as a table, or remove it</source>
+        <translation>exporte-a como tabela ou remova-a</translation>
+    </message>
+    <message>
+        <source>it would grow more than three hundredfold when it is unpacked</source>
+        <translation>cresceria mais de trezentas vezes ao ser descompactado</translation>
+    </message>
+    <message>
+        <source>it would take more than 2 GiB when it is unpacked</source>
+        <translation>descompactado ocuparia mais de 2 GiB</translation>
+    </message>
+    <message>
+        <source>lists and objects lie too deep in one another here</source>
+        <translation>aqui há listas e objetos aninhados fundo demais</translation>
+    </message>
+    <message>
+        <source>remove what does not belong there</source>
+        <translation>remova o que não pertence ali</translation>
+    </message>
+    <message>
+        <source>the file is far too large for what it should hold</source>
+        <translation>o arquivo é grande demais para o que deveria conter</translation>
+    </message>
+    <message>
+        <source>unpack it and give one of its files</source>
+        <translation>descompacte-o e informe um dos arquivos</translation>
+    </message>
+    <message>
+        <source>with this wheelbase, %1 give a turning radius of %2</source>
+        <translation>com esta distância entre eixos, %1 dão um raio de giro de %2</translation>
     </message>
 </context>
 <context>

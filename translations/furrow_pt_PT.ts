@@ -56,6 +56,20 @@
     </message>
 </context>
 <context>
+    <name>ExportChecks</name>
+    <message>
+        <source>Choose another format or terminal, and report this.</source>
+        <translation>Escolha outro formato ou terminal e comunique isto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
+        <translation>
+            <numerusform>Os ficheiros foram examinados quanto a %n tipo de erro em que os recetores tropeçam; não há nenhum.</numerusform>
+            <numerusform>Os ficheiros foram examinados quanto a %n tipos de erros em que os recetores tropeçam; não há nenhum.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ExportDialog</name>
     <message>
         <source>USB stick</source>
@@ -123,6 +137,31 @@
     </message>
 </context>
 <context>
+    <name>ImageryDialogs</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os ficheiros (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryList</name>
+    <message>
+        <source>Add files…</source>
+        <translation>Adicionar ficheiros…</translation>
+    </message>
+    <message>
+        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
+        <translation>As suas próprias imagens e altitudes: GeoTIFF, MBTiles ou uma pasta de blocos. Ficam neste computador.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageryRow</name>
+    <message>
+        <source>Opening …</source>
+        <translation>A abrir…</translation>
+    </message>
+</context>
+<context>
     <name>Inspector</name>
     <message>
         <source>%1 with the implement up, in %2.</source>
@@ -156,14 +195,17 @@
     </message>
 </context>
 <context>
+    <name>PlanTitle</name>
+    <message>
+        <source>planned %1</source>
+        <translation>planeado em %1</translation>
+    </message>
+</context>
+<context>
     <name>Planner</name>
     <message>
         <source>%1 are driven in reverse; the trailed implement cannot.</source>
         <translation>%1 são percorridos de ré; a alfaia rebocada não consegue.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be steered</source>
-        <translation>%1 não pode ser virado</translation>
     </message>
     <message>
         <source>%1 is on the stick already</source>
@@ -321,10 +363,6 @@
         <translation>Plantador de seis fileiras, 4,5 m</translation>
     </message>
     <message>
-        <source>Slow down or stop there to steer, or choose turns with continuous curvature.</source>
-        <translation>Reduza ou pare ali para virar a direção, ou escolha manobras com curvatura contínua.</translation>
-    </message>
-    <message>
         <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
         <translation>Menor círculo que o meio do eixo fixo consegue seguir; do ângulo de direção onde não é dado.</translation>
     </message>
@@ -361,10 +399,6 @@
         <translation>O mesmo que KML, comprimido.</translation>
     </message>
     <message>
-        <source>The steering has to turn faster than this machine can in %1.</source>
-        <translation>É preciso virar a direção mais rápido do que esta máquina consegue em %1.</translation>
-    </message>
-    <message>
         <source>The tractor may drive backwards with it.</source>
         <translation>O tractor pode dar ré com ele.</translation>
     </message>
@@ -379,10 +413,6 @@
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
         <translation>Esta pen USB tem %1 partições; os terminais veem no máximo a primeira.</translation>
-    </message>
-    <message>
-        <source>Try another direction of the swaths, or plan the sides of the obstacle apart.</source>
-        <translation>Tente outra direção das passadas ou planeie separadamente os lados do obstáculo.</translation>
     </message>
     <message>
         <source>Width the tractor occupies, wheels included.</source>
@@ -497,10 +527,6 @@
         <translation>dê a pasta de um deles ou um ficheiro nela</translation>
     </message>
     <message>
-        <source>implement offsets</source>
-        <translation>deslocamentos da alfaia</translation>
-    </message>
-    <message>
         <source>it has another coordinate system than the file</source>
         <translation>tem outro sistema de coordenadas que o ficheiro</translation>
     </message>
@@ -511,10 +537,6 @@
     <message>
         <source>it holds more than %1 files</source>
         <translation>contém mais de %1 ficheiros</translation>
-    </message>
-    <message>
-        <source>it would grow more than a thousandfold when it is unpacked</source>
-        <translation>cresceria mais de mil vezes ao descomprimir</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; is not known</source>
@@ -800,6 +822,58 @@
         <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
         <translation>A alfaia fica sobre a borda do talhão ou um obstáculo, até %1, como o balanço permite.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; in it is a view</source>
+        <translation>«%1» nele é uma vista (view)</translation>
+    </message>
+    <message>
+        <source>a text with fields may take %1 MiB, and this one takes more</source>
+        <translation>um texto com parcelas pode ocupar %1 MiB, e este ocupa mais</translation>
+    </message>
+    <message>
+        <source>correct one of them, or give min_turning_radius_m</source>
+        <translation>corrija um deles ou indique min_turning_radius_m</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>queria dizer %1?</translation>
+    </message>
+    <message>
+        <source>export it as a table, or remove it</source>
+        <translation>exporte-a como tabela ou retire-a</translation>
+    </message>
+    <message>
+        <source>give a number from %1 to %2</source>
+        <translation>indique um número de %1 a %2</translation>
+    </message>
+    <message>
+        <source>it would grow more than three hundredfold when it is unpacked</source>
+        <translation>cresceria mais de trezentas vezes ao descomprimir</translation>
+    </message>
+    <message>
+        <source>it would take more than 2 GiB when it is unpacked</source>
+        <translation>descomprimido ocuparia mais de 2 GiB</translation>
+    </message>
+    <message>
+        <source>lists and objects lie too deep in one another here</source>
+        <translation>aqui há listas e objetos aninhados demasiado fundo</translation>
+    </message>
+    <message>
+        <source>remove what does not belong there</source>
+        <translation>retire o que não pertence ali</translation>
+    </message>
+    <message>
+        <source>the file is far too large for what it should hold</source>
+        <translation>o ficheiro é demasiado grande para o que deveria conter</translation>
+    </message>
+    <message>
+        <source>unpack it and give one of its files</source>
+        <translation>descomprima-o e indique um dos ficheiros</translation>
+    </message>
+    <message>
+        <source>with this wheelbase, %1 give a turning radius of %2</source>
+        <translation>com esta distância entre eixos, %1 dão um raio de viragem de %2</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -827,13 +901,6 @@
     </message>
 </context>
 <context>
-    <name>ImageryDialogs</name>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos os ficheiros (*)</translation>
-    </message>
-</context>
-<context>
     <name>StatusChip</name>
     <message>
         <source>Plan again</source>
@@ -849,6 +916,45 @@
     <message>
         <source>There are changes that are not saved</source>
         <translation>Há alterações não guardadas</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
+        <translation>Em três minutos, de um talhão a um plano que pode ser conduzido. É-lhe aberto um talhão de exemplo; Ctrl+Z desfaz tudo. Saia quando quiser: a visita guiada está no menu Ajuda.</translation>
+    </message>
+    <message>
+        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
+        <translation>De cima para baixo: o talhão, a máquina e como ela trabalha. Cada passo diz o que foi escolhido e o que resultou; clique num para o alterar. Cada alteração planeia de novo de imediato.</translation>
+    </message>
+    <message>
+        <source>The steps</source>
+        <translation>Os passos</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
+        <translation>Arraste um canto do talhão e veja o plano acompanhar. A roda amplia, arrastar o fundo move o mapa. O ponto a meio de uma aresta cria outro canto; Alt solta o encaixe automático.</translation>
+    </message>
+    <message>
+        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
+        <translation>Desenhe um talhão, um vazio, um obstáculo, uma linha AB ou uma entrada. O botão de baixo mostra as camadas: o que é desenhado do plano e, por baixo, as suas próprias fotos aéreas ou altitudes.</translation>
+    </message>
+    <message>
+        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
+        <translation>Área, distância e tempo, e o que foi encontrado: clique num aviso e o mapa vai até lá. Os avisos que impedem de conduzir vêm primeiro, com o que ajudaria.</translation>
+    </message>
+    <message>
+        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
+        <translation>Exportar grava o plano numa pasta ou numa pen USB, para muitos terminais, volta a lê-lo e compara-o. Depois guarde o projeto: Ctrl+S. Ctrl+K encontra qualquer comando pelo nome.</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Seguinte</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Anterior</translation>
     </message>
 </context>
 <context>
@@ -920,6 +1026,16 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldOpener</name>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n ficheiro</numerusform>
+            <numerusform>%n ficheiros</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>furrow::Planning</name>
     <message>
         <source>Reading %1 …</source>
@@ -939,16 +1055,6 @@
     <message>
         <source>Draft · planning …</source>
         <translation>Rascunho · a planear…</translation>
-    </message>
-</context>
-<context>
-    <name>furrow::FieldOpener</name>
-    <message numerus="yes">
-        <source>%n file(s)</source>
-        <translation>
-            <numerusform>%n ficheiro</numerusform>
-            <numerusform>%n ficheiros</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -979,6 +1085,13 @@
     </message>
 </context>
 <context>
+    <name>furrow::QuantityText</name>
+    <message>
+        <source>This is not a time. Type it like 45 s or 2 min.</source>
+        <translation>Isto não é um tempo. Escreva como 45 s ou 2 min.</translation>
+    </message>
+</context>
+<context>
     <name>furrow::StepsModel</name>
     <message>
         <source>Open a file or draw a boundary</source>
@@ -1002,91 +1115,6 @@
     <message>
         <source>Safe to unplug: %1</source>
         <translation>A pen USB pode ser retirada: %1</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryList</name>
-    <message>
-        <source>Add files…</source>
-        <translation>Adicionar ficheiros…</translation>
-    </message>
-    <message>
-        <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
-        <translation>As suas próprias imagens e altitudes: GeoTIFF, MBTiles ou uma pasta de blocos. Ficam neste computador.</translation>
-    </message>
-</context>
-<context>
-    <name>Tour</name>
-    <message>
-        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
-        <translation>Em três minutos, de um talhão a um plano que pode ser conduzido. É-lhe aberto um talhão de exemplo; Ctrl+Z desfaz tudo. Saia quando quiser: a visita guiada está no menu Ajuda.</translation>
-    </message>
-    <message>
-        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
-        <translation>De cima para baixo: o talhão, a máquina e como ela trabalha. Cada passo diz o que foi escolhido e o que resultou; clique num para o alterar. Cada alteração planeia de novo de imediato.</translation>
-    </message>
-    <message>
-        <source>The steps</source>
-        <translation>Os passos</translation>
-    </message>
-    <message>
-        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
-        <translation>Arraste um canto do talhão e veja o plano acompanhar. A roda amplia, arrastar o fundo move o mapa. O ponto a meio de uma aresta cria outro canto; Alt solta o encaixe automático.</translation>
-    </message>
-    <message>
-        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
-        <translation>Desenhe um talhão, um vazio, um obstáculo, uma linha AB ou uma entrada. O botão de baixo mostra as camadas: o que é desenhado do plano e, por baixo, as suas próprias fotos aéreas ou altitudes.</translation>
-    </message>
-    <message>
-        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
-        <translation>Área, distância e tempo, e o que foi encontrado: clique num aviso e o mapa vai até lá. Os avisos que impedem de conduzir vêm primeiro, com o que ajudaria.</translation>
-    </message>
-    <message>
-        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
-        <translation>Exportar grava o plano numa pasta ou numa pen USB, para muitos terminais, volta a lê-lo e compara-o. Depois guarde o projeto: Ctrl+S. Ctrl+K encontra qualquer comando pelo nome.</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Seguinte</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Anterior</translation>
-    </message>
-</context>
-<context>
-    <name>ImageryRow</name>
-    <message>
-        <source>Opening …</source>
-        <translation>A abrir…</translation>
-    </message>
-</context>
-<context>
-    <name>ExportChecks</name>
-    <message>
-        <source>Choose another format or terminal, and report this.</source>
-        <translation>Escolha outro formato ou terminal e comunique isto.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The files were looked through for %n kind(s) of mistakes that receivers stumble over; there is none.</source>
-        <translation>
-            <numerusform>Os ficheiros foram examinados quanto a %n tipo de erro em que os recetores tropeçam; não há nenhum.</numerusform>
-            <numerusform>Os ficheiros foram examinados quanto a %n tipos de erros em que os recetores tropeçam; não há nenhum.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>PlanTitle</name>
-    <message>
-        <source>planned %1</source>
-        <translation>planeado em %1</translation>
-    </message>
-</context>
-<context>
-    <name>furrow::QuantityText</name>
-    <message>
-        <source>This is not a time. Type it like 45 s or 2 min.</source>
-        <translation>Isto não é um tempo. Escreva como 45 s ou 2 min.</translation>
     </message>
 </context>
 </TS>

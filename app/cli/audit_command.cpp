@@ -35,35 +35,34 @@ std::string figure(const std::optional<Quantity>& quantity, int digits, std::str
 }
 
 void printReport(const WrittenPlan& plan, const AuditReport& report) {
-    std::println("Field        {} · {:.2f} ha to be worked", plan.name, inHectares(report.workable));
-    std::println("Machine      {}", plan.machine ? plan.machine->name()
-                                                 : "not known: nothing is said of what it would drive over");
-    std::println("Covered      {} · {} · {} of what can be reached", figure(report.covered, 1, "m²"),
-                 shareText(report.coveredShare), shareText(report.coveredOfReachable));
-    std::println("Missed       {}", figure(report.missed, 1, "m²"));
-    std::println("Overlap      {} · {} of it between headland and swaths", figure(report.overlap, 1, "m²"),
-                 figure(report.overlapHeadland, 1, "m²"));
-    std::println("Outside      {} · clearance {}", figure(report.outside, 1, "m²"),
-                 figure(report.minClearance, 3, "m"));
-    std::println("Curvature    {} · rate {}", figure(report.maxCurvature, 4, "1/m"),
-                 figure(report.maxCurvatureRate, 4, "1/m²"));
-    std::println("Jumps        {} · {}", figure(report.maxPositionJump, 3, "m"),
-                 figure(report.maxHeadingJump, 3, "rad"));
-    std::println("Reversed     {:.1f} m", report.reversed.si());
-    std::println("Crossed      {:.0f} m over worked land · {:.0f} m over land that is worked later",
-                 report.drivenOnWorked.si(), report.drivenOnUnworked.si());
-    std::println(
-        "Wheels       up to {} times over one square of {:.0f} m · {:.1f} % of the field more than 3 times",
+    say("Field        {} · {:.2f} ha to be worked", plan.name, inHectares(report.workable));
+    say("Machine      {}",
+        plan.machine ? plan.machine->name() : "not known: nothing is said of what it would drive over");
+    say("Covered      {} · {} · {} of what can be reached", figure(report.covered, 1, "m²"),
+        shareText(report.coveredShare), shareText(report.coveredOfReachable));
+    say("Missed       {}", figure(report.missed, 1, "m²"));
+    say("Overlap      {} · {} of it between headland and swaths", figure(report.overlap, 1, "m²"),
+        figure(report.overlapHeadland, 1, "m²"));
+    say("Outside      {} · clearance {}", figure(report.outside, 1, "m²"),
+        figure(report.minClearance, 3, "m"));
+    say("Curvature    {} · rate {}", figure(report.maxCurvature, 4, "1/m"),
+        figure(report.maxCurvatureRate, 4, "1/m²"));
+    say("Jumps        {} · {}", figure(report.maxPositionJump, 3, "m"),
+        figure(report.maxHeadingJump, 3, "rad"));
+    say("Reversed     {:.1f} m", report.reversed.si());
+    say("Crossed      {:.0f} m over worked land · {:.0f} m over land that is worked later",
+        report.drivenOnWorked.si(), report.drivenOnUnworked.si());
+    say("Wheels       up to {} times over one square of {:.0f} m · {:.1f} % of the field more than 3 times",
         report.mostWheelPasses, report.wheelSquare.si(), 100.0 * report.oftenDrivenShare);
     if (report.maxHitchAngle) {
-        std::println("Hitch angle  up to {:.0f}°", inDegrees(*report.maxHitchAngle));
+        say("Hitch angle  up to {:.0f}°", inDegrees(*report.maxHitchAngle));
     }
-    std::println("Exact to     {:.2g} m² · {:.2g} m", report.areaError.si(), report.distanceError.si());
+    say("Exact to     {:.2g} m² · {:.2g} m", report.areaError.si(), report.distanceError.si());
     if (report.findings.empty()) {
-        std::println("Findings     none");
+        say("Findings     none");
     }
     for (std::size_t i = 0; i < report.findings.size(); ++i) {
-        std::println("{}", findingLine(i + 1, report.findings[i].finding, plan.frame));
+        say("{}", findingLine(i + 1, report.findings[i].finding, plan.frame));
     }
 }
 

@@ -55,19 +55,18 @@ void printTotals(std::string_view what, const BatchTotals& totals) {
     if (totals.fields == 0) {
         return;
     }
-    std::println("{}", what);
-    std::println("  Fields     {}, planned {} ({})", totals.fields, totals.planned,
-                 percent(totals.planned, totals.fields));
-    std::println("  Drivable   {} ({})", totals.drivable, percent(totals.drivable, totals.fields));
+    say("{}", what);
+    say("  Fields     {}, planned {} ({})", totals.fields, totals.planned,
+        percent(totals.planned, totals.fields));
+    say("  Drivable   {} ({})", totals.drivable, percent(totals.drivable, totals.fields));
     for (const auto& [kind, fields] : totals.fieldsBlocked) {
-        std::println("    in the way: {} in {}", kind, fields);
+        say("    in the way: {} in {}", kind, fields);
     }
-    std::println("  Turns      {}, {} not drivable", totals.turns, totals.undrivableTurns);
-    std::println(
-        "  Covered    {:.2f} % at the median, {:.2f} % at the 10th percentile, {:.2f} % of what is in reach",
+    say("  Turns      {}, {} not drivable", totals.turns, totals.undrivableTurns);
+    say("  Covered    {:.2f} % at the median, {:.2f} % at the 10th percentile, {:.2f} % of what is in reach",
         100.0 * totals.medianCovered, 100.0 * totals.tenthCovered, 100.0 * totals.medianCoveredOfReachable);
-    std::println("  Time       {:.1f} ms at the median, {:.1f} ms at the 95th percentile",
-                 totals.medianTime.si() * 1e3, totals.slowTime.si() * 1e3);
+    say("  Time       {:.1f} ms at the median, {:.1f} ms at the 95th percentile",
+        totals.medianTime.si() * 1e3, totals.slowTime.si() * 1e3);
 }
 
 /// " (30 m)" where one machine plans them all.
@@ -114,7 +113,7 @@ int runBatchCommand(const BatchArguments& arguments) {
         printTotals(std::format("Fields at least five operating widths{} broad", fiveWidths(*report)),
                     report->wide);
         printTotals("Narrower fields", report->narrow);
-        std::println("Written: {}", batchRecordPath(task.out, task.shard).string());
+        say("Written: {}", batchRecordPath(task.out, task.shard).string());
     }
     const bool allDrivable = report->wide.drivable + report->narrow.drivable == report->records.size();
     return allDrivable ? kDrivable : kBlockingFinding;

@@ -131,7 +131,7 @@ int runPaper(const PaperArguments& arguments) {
     }
     std::print("{}", arguments.json ? jsonOf(experiments) : textOf(experiments));
     if (!arguments.json && !arguments.out.empty()) {
-        std::println("{} files written to {}", files.size(), arguments.out);
+        say("{} files written to {}", files.size(), arguments.out);
     }
     return kDrivable;
 }
@@ -188,8 +188,7 @@ int runSpeed(const SpeedArguments& arguments) {
         return kDrivable;
     }
     for (const SpeedCase& each : *cases) {
-        std::println(
-            "{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11} (least {}){}{}", each.name, each.areaHa,
+        say("{:62} {:8.2f} ha {:7} vertices {} thread{} {:>11} (least {}){}{}", each.name, each.areaHa,
             each.vertices, each.threads, each.threads == 1 ? " " : "s", shortTime(each.median),
             shortTime(each.least),
             each.ratio ? std::format("  plain GEOS {:>10} (least {}), {:.0f} times",

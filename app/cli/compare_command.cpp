@@ -58,11 +58,15 @@ int runCompare(const CompareArguments& arguments) {
         }
         written = std::move(*done);
     }
-    std::print("{}", arguments.json ? comparisonJson(report) : comparisonText(report));
+    if (arguments.json) {
+        std::print("{}", comparisonJson(report));
+    } else {
+        sayLines(comparisonText(report));
+    }
     if (!arguments.json && !written.empty()) {
-        std::println("Written:");
+        say("Written:");
         for (const std::filesystem::path& path : written) {
-            std::println("  {}", path.string());
+            say("  {}", path.string());
         }
     }
     return kDrivable;

@@ -32,9 +32,11 @@ struct ConvertArguments {
     bool json = false;
 };
 
-/// What is read, checked and repaired; what is refused is told and left out, as long as something remains.
+/// What is read, checked and repaired; what is refused is left out, as long as something remains, and named
+/// in `leftOut`.
 Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
-                                             std::vector<std::string>& notes, const JobContext& job) {
+                                             std::vector<std::string>& notes,
+                                             std::vector<std::string>& leftOut, const JobContext& job) {
     auto imported = readFields(arguments.in, job);
     if (!imported) {
         return std::unexpected(imported.error());
@@ -69,8 +71,11 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
             continue;
         }
         const auto field = Field::create(content.field, job);
+        if (!field && field.error().code == ErrorCode::Cancelled) {
+            return std::unexpected(field.error());
+        }
         if (!field) {
-            notes.push_back(std::format("'{}' is left out: {}", content.field.name, field.error().line()));
+            leftOut.push_back(std::format("'{}' is left out: {}", content.field.name, field.error().line()));
             refused = refused.value_or(field.error());
             continue;
         }
@@ -94,7 +99,8 @@ int runConvert(const ConvertArguments& arguments) {
     const InterruptWatch watch;
     const JobContext job = terminalJob(watch, 0, true);
     std::vector<std::string> notes;
-    const auto fields = fieldsFrom(arguments, notes, job);
+    std::vector<std::string> leftOut;
+    const auto fields = fieldsFrom(arguments, notes, leftOut, job);
     if (!fields) {
         return failWith(fields.error());
     }
@@ -104,6 +110,10 @@ int runConvert(const ConvertArguments& arguments) {
     }
     notes.insert(notes.end(), written->notes.begin(), written->notes.end());
     printProblems(written->checks);
+    for (const std::string& field : leftOut) {
+        say(stderr, "furrow-cli: {}", field);
+    }
+    const ExitStatus status = leftOut.empty() ? kDrivable : kBlockingFinding;
     if (arguments.json) {
         Json files = Json::array();
         for (const auto& file : written->files) {
@@ -122,24 +132,27 @@ int runConvert(const ConvertArguments& arguments) {
             problems.push_back(problem);
         }
         const Json checks{{"made", written->checks.made}, {"problems", problems}};
-        std::println("{}",
-                     Json{{"fields", names}, {"files", files}, {"notes", notes}, {"checks", checks}}.dump(
-                         2, ' ', false, Json::error_handler_t::replace));
-        return kDrivable;
+        std::println("{}", Json{{"fields", names},
+                                {"left_out", leftOut},
+                                {"files", files},
+                                {"notes", notes},
+                                {"checks", checks}}
+                               .dump(2, ' ', false, Json::error_handler_t::replace));
+        return status;
     }
     for (const FieldContent& content : *fields) {
-        std::println("{:24}  {:.2f} ha  {} obstacles  {} guidance lines", content.field.name,
-                     inHectares(content.statedArea()), content.field.obstacles.size(), content.lines.size());
+        say("{:24}  {:.2f} ha  {} obstacles  {} guidance lines", content.field.name,
+            inHectares(content.statedArea()), content.field.obstacles.size(), content.lines.size());
     }
     for (const std::string& note : notes) {
-        std::println("Note: {}", note);
+        say("Note: {}", note);
     }
-    std::println("Checked: {}", checkSummary(written->checks));
-    std::println("Written:");
+    say("Checked: {}", checkSummary(written->checks));
+    say("Written:");
     for (const auto& file : written->files) {
-        std::println("  {}", file.string());
+        say("  {}", file.string());
     }
-    return kDrivable;
+    return status;
 }
 
 }  // namespace
@@ -160,7 +173,10 @@ void addConvertCommand(CLI::App& app, std::function<int()>& run) {
         "Examples:\n"
         "  furrow-cli convert field.kml field.geojson\n"
         "  furrow-cli convert TASKDATA fields.gpkg\n"
-        "  furrow-cli convert farm.shp TASKDATA --format isoxml-v3");
+        "  furrow-cli convert farm.shp TASKDATA --format isoxml-v3\n"
+        "\n"
+        "Exit status: 0 all fields are written, 1 some are left out and named on standard error,\n"
+        "2 wrong usage, 3 input refused, 4 could not read or write, 130 cancelled.");
     convert->callback([&run, arguments] { run = [arguments] { return runConvert(*arguments); }; });
 }
 

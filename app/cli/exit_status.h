@@ -2,6 +2,8 @@
 
 #include "planner/core/error.h"
 
+#include <functional>
+
 namespace furrow::cli {
 
 /// What the command line answers with; other programs rely on the numbers.
@@ -16,5 +18,9 @@ enum ExitStatus : int {
 
 /// Prints the error in one line on standard error and says what to exit with.
 ExitStatus failWith(const Error& error);
+
+/// What a command comes to, also where it ran out of memory or its output did not arrive: on a full disk what
+/// is printed would be cut off without a word.
+int ranAndWritten(const std::function<int()>& run);
 
 }  // namespace furrow::cli

@@ -1,7 +1,8 @@
 #include "app/cli/export_arguments.h"
 
+#include "app/cli/terminal.h"
+
 #include <format>
-#include <print>
 
 namespace furrow::cli {
 
@@ -17,7 +18,7 @@ std::string checkSummary(const ExportChecks& checks) {
 
 void printProblems(const ExportChecks& checks) {
     for (const std::string& problem : checks.problems) {
-        std::println(stderr, "Warning: {}", problem);
+        say(stderr, "Warning: {}", problem);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/list_command.h"
 
 #include "app/cli/exit_status.h"
+#include "app/cli/terminal.h"
 #include "planner/io/delivery/terminals.h"
 #include "planner/io/formats/registry.h"
 #include "planner/io/import/boundary_import.h"
@@ -42,7 +43,7 @@ int listFields(const std::string& file, bool asJson) {
             all.push_back(std::move(entry));
         } else {
             const std::string area = field ? std::format("{:.2f} ha", inHectares(field->area())) : problem;
-            std::println("{:4}  {:24}  {:24}  {}", i + 1, source.id, source.name, area);
+            say("{:4}  {:24}  {:24}  {}", i + 1, source.id, source.name, area);
         }
     }
     if (asJson) {
@@ -114,8 +115,7 @@ std::string rangeText(const Parameter& parameter) {
 
 void printParameters(std::span<const Parameter* const> parameters, std::string_view indent) {
     for (const Parameter* parameter : parameters) {
-        std::println("{}{:22} {}  [{}]", indent, parameter->key, parameter->description,
-                     rangeText(*parameter));
+        say("{}{:22} {}  [{}]", indent, parameter->key, parameter->description, rangeText(*parameter));
     }
 }
 
@@ -146,13 +146,14 @@ int listMethods(bool asJson) {
         printJson({{"stages", std::move(all)}, {"parameters", parametersJson(generalParameters())}});
         return kDrivable;
     }
-    std::println("general");
+    say("general");
     printParameters(generalParameters(), "    ");
     for (const StageInfo& stage : stages()) {
-        std::println("\n{} ({})", stage.id, stage.method->key);
+        say("");
+        say("{} ({})", stage.id, stage.method->key);
         for (const MethodInfo& method : stage.methods) {
-            std::println("  {:16} {}{}", method.id, method.description,
-                         method.id == stage.methods.front().id ? " (default)" : "");
+            say("  {:16} {}{}", method.id, method.description,
+                method.id == stage.methods.front().id ? " (default)" : "");
             printParameters(method.parameters, "      ");
         }
         printParameters(stage.parameters, "    ");
@@ -166,8 +167,8 @@ int listMachines(bool asJson) {
         if (asJson) {
             all.push_back(Json::parse(machineJson(machine.spec())));
         } else {
-            std::println("{:22} {:44} {:5.1f} m wide, {:4.1f} m turning radius", machine.id(), machine.name(),
-                         machine.operatingWidth().si(), machine.minTurningRadius().si());
+            say("{:22} {:44} {:5.1f} m wide, {:4.1f} m turning radius", machine.id(), machine.name(),
+                machine.operatingWidth().si(), machine.minTurningRadius().si());
         }
     }
     if (asJson) {
@@ -189,9 +190,8 @@ int listFormats(bool asJson) {
                            {"writes_fields", format.writesFields()},
                            {"carries", format.carries}});
         } else {
-            std::println("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name,
-                         format.readsFields() ? "read" : "", format.readsTracks() ? "tracks" : "",
-                         format.writes() ? "write" : "", format.carries);
+            say("{:14} {:22} {:5} {:7} {:6} {}", format.id, format.name, format.readsFields() ? "read" : "",
+                format.readsTracks() ? "tracks" : "", format.writes() ? "write" : "", format.carries);
         }
     }
     if (asJson) {
@@ -211,8 +211,8 @@ int listTerminals(bool asJson) {
                            {"usb_stick", terminal.onStick},
                            {"shows", terminal.shows}});
         } else {
-            std::println("{:30} {} ({})\n{:30} {}", terminal.id, terminal.name, terminal.format, "",
-                         terminal.shows);
+            say("{:30} {} ({})", terminal.id, terminal.name, terminal.format);
+            say("{:30} {}", "", terminal.shows);
         }
     }
     if (asJson) {

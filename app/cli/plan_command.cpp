@@ -74,26 +74,25 @@ std::string timeBeside(Duration difference) {
 
 /// What was changed, then what the nearest alternatives would cost.
 void printChoices(const ChoiceTable& table) {
-    std::println("Best      {} of {} after {} alternatives{}", minutesSeconds(table.best),
-                 minutesSeconds(table.asked), table.alternatives,
-                 table.askedProblems > 0 ? ", and what stood in the way is gone or less" : "");
+    say("Best      {} of {} after {} alternatives{}", minutesSeconds(table.best), minutesSeconds(table.asked),
+        table.alternatives, table.askedProblems > 0 ? ", and what stood in the way is gone or less" : "");
     std::size_t behind = 0;
     for (const TriedChoice& tried : table.tried) {
         switch (tried.worth) {
             case TriedChoice::Worth::Taken:
-                std::println("  taken   {}: {}", tried.text.text(),
-                             tried.difference > Duration{} ? "saves " + minutesSeconds(tried.difference)
-                                                           : std::string{"fewer problems"});
+                say("  taken   {}: {}", tried.text.text(),
+                    tried.difference > Duration{} ? "saves " + minutesSeconds(tried.difference)
+                                                  : std::string{"fewer problems"});
                 break;
             case TriedChoice::Worth::Slower:
-                std::println("          {}: {}", tried.text.text(), timeBeside(tried.difference));
+                say("          {}: {}", tried.text.text(), timeBeside(tried.difference));
                 break;
             case TriedChoice::Worth::Behind: ++behind; break;
         }
     }
     if (behind > 0) {
-        std::println("          {} more than 6 % slower, or not drivable",
-                     counted(static_cast<long long>(behind), "other is", "others are"));
+        say("          {} more than 6 % slower, or not drivable",
+            counted(static_cast<long long>(behind), "other is", "others are"));
     }
 }
 
@@ -107,9 +106,9 @@ Result<void> printReasons(const Plan& plan, const JobContext& job) {
     if (!reasons) {
         return std::unexpected(reasons.error());
     }
-    std::println("Why");
+    say("Why");
     for (const Explanation& reason : *reasons) {
-        std::println("  {:<14} {}", reason.step, reason.text.text());
+        say("  {:<14} {}", reason.step, reason.text.text());
     }
     return {};
 }
@@ -121,54 +120,53 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
     const Machine& machine = plan.request.machine;
     const Length turns = plan.path.length() - plan.path.workedLength();
     const auto swathCount = static_cast<long long>(plan.swaths.swaths.size());
-    std::println("Field     {} · {:.2f} ha · {}", plan.field().name(), inHectares(plan.field().area()),
-                 counted(static_cast<long long>(plan.field().vertexCount()), "point", "points"));
-    std::println("Machine   {} · {} m · {} m turning radius", machine.name(), machine.operatingWidth().si(),
-                 machine.minTurningRadius().si());
-    std::println("Headland  {:.2f} m · {} · mainland {:.1f} %", plan.headland.width.si(),
-                 counted(plan.headland.passes, "pass", "passes"), 100.0 * plan.headland.mainlandRatio);
+    say("Field     {} · {:.2f} ha · {}", plan.field().name(), inHectares(plan.field().area()),
+        counted(static_cast<long long>(plan.field().vertexCount()), "point", "points"));
+    say("Machine   {} · {} m · {} m turning radius", machine.name(), machine.operatingWidth().si(),
+        machine.minTurningRadius().si());
+    say("Headland  {:.2f} m · {} · mainland {:.1f} %", plan.headland.width.si(),
+        counted(plan.headland.passes, "pass", "passes"), 100.0 * plan.headland.mainlandRatio);
     if (plan.swaths.swaths.empty()) {
-        std::println("Swaths    none: the headland takes all of the field");
+        say("Swaths    none: the headland takes all of the field");
     } else {
-        std::println("Swaths    {} · {} · bearing {:.1f}° · covers {:.2f} % of the mainland",
-                     counted(swathCount, "swath", "swaths"), kilometres(plan.swaths.totalLength),
-                     lineBearingDeg(plan.swaths.heading), 100.0 * plan.swaths.coverage);
+        say("Swaths    {} · {} · bearing {:.1f}° · covers {:.2f} % of the mainland",
+            counted(swathCount, "swath", "swaths"), kilometres(plan.swaths.totalLength),
+            lineBearingDeg(plan.swaths.heading), 100.0 * plan.swaths.coverage);
     }
-    std::println("Path      {} · {} · {:.1f} % turning · {}", kilometres(plan.path.length()),
-                 counted(plan.path.turnCount(), "turn", "turns"),
-                 plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,
-                 hoursMinutes(plan.path.duration()));
-    std::println("Covered   {:.2f} % of the field · {:.0f} m² missed · {:.0f} m² worked twice",
-                 100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
-                 plan.audit.overlap.value_or(Area{}).si());
+    say("Path      {} · {} · {:.1f} % turning · {}", kilometres(plan.path.length()),
+        counted(plan.path.turnCount(), "turn", "turns"),
+        plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,
+        hoursMinutes(plan.path.duration()));
+    say("Covered   {:.2f} % of the field · {:.0f} m² missed · {:.0f} m² worked twice",
+        100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
+        plan.audit.overlap.value_or(Area{}).si());
     if (plan.choices) {
         printChoices(*plan.choices);
     }
     const auto blocking = plan.blockingCount();
-    std::println("Drivable  {}", plan.drivable()
-                                     ? std::string{"yes"}
-                                     : std::format("no, {} in the way",
-                                                   counted(blocking, "finding stands", "findings stand")));
+    say("Drivable  {}", plan.drivable() ? std::string{"yes"}
+                                        : std::format("no, {} in the way",
+                                                      counted(blocking, "finding stands", "findings stand")));
     constexpr std::size_t kMostShown = 10;
     for (std::size_t i = 0; i < std::min(plan.findings.size(), kMostShown); ++i) {
-        std::println("{}", findingLine(i + 1, plan.findings[i], plan.field().frame()));
+        say("{}", findingLine(i + 1, plan.findings[i], plan.field().frame()));
     }
     if (plan.findings.size() > kMostShown) {
-        std::println("       and {} more in summary.json", plan.findings.size() - kMostShown);
+        say("       and {} more in summary.json", plan.findings.size() - kMostShown);
     }
     if (terminal != nullptr) {
-        std::println("Terminal  {}: {}", terminal->name, terminal->shows);
+        say("Terminal  {}: {}", terminal->name, terminal->shows);
     }
-    std::println("Planned in {:.1f} ms. Written:", plan.timings.total.si() * 1e3);
+    say("Planned in {:.1f} ms. Written:", plan.timings.total.si() * 1e3);
     for (std::size_t i = 0; i < std::min(written.files.size(), kMostFilesShown); ++i) {
-        std::println("  {}", written.files[i].string());
+        say("  {}", written.files[i].string());
     }
     if (written.files.size() > kMostFilesShown) {
-        std::println("  and {} more", written.files.size() - kMostFilesShown);
+        say("  and {} more", written.files.size() - kMostFilesShown);
     }
-    std::println("Checked   {}", checkSummary(written.checks));
+    say("Checked   {}", checkSummary(written.checks));
     for (const std::string& note : written.notes) {
-        std::println("Note      {}", note);
+        say("Note      {}", note);
     }
 }
 
@@ -180,9 +178,9 @@ void printFirstPlan(const PlanRequest& request, const JobContext& job) {
         return;
     }
     const Plan& plan = **draft;
-    std::println(stderr, "first plan after {:.0f} ms, a draft: {} · {} · {}", 1e3 * plan.timings.total.si(),
-                 counted(static_cast<long long>(plan.swaths.swaths.size()), "swath", "swaths"),
-                 kilometres(plan.path.length()), hoursMinutes(plan.path.duration()));
+    say(stderr, "first plan after {:.0f} ms, a draft: {} · {} · {}", 1e3 * plan.timings.total.si(),
+        counted(static_cast<long long>(plan.swaths.swaths.size()), "swath", "swaths"),
+        kilometres(plan.path.length()), hoursMinutes(plan.path.duration()));
 }
 
 /// What is given stays, here or by the plan of a project.

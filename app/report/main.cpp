@@ -12,7 +12,6 @@
 #include <QGuiApplication>
 
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <print>
 #include <string>
@@ -37,15 +36,12 @@ int main(int argc, char** argv) {
         std::println(stderr, "furrow-cli: {}; see furrow-cli --help", what.substr(0, what.find('\n')));
         return kWrongUsage;
     }
-    try {
+    return ranAndWritten([&] {
         // Without a display, and whatever the user's desktop says.
         qputenv("QT_QPA_PLATFORM", "offscreen");
         QGuiApplication::setDesktopSettingsAware(false);
-        QGuiApplication application{argc, argv};
+        const QGuiApplication application{argc, argv};
         furrow::loadFonts();
         return run();
-    } catch (const std::exception& error) {
-        std::println(stderr, "furrow-cli: {}; the field may be too large for this computer", error.what());
-        return kInputRefused;
-    }
+    });
 }

@@ -342,9 +342,14 @@ private:
                     message("Curves are driven with up to {:.1f} m/s² sideways; the machine's limit is less.",
                             found.lateral.worst),
                     "Drive the curves more slowly.");
-        noteTrouble(found.time, FindingKind::Time,
-                    message("Time and way do not fit the speed in {}.", placesOf(found.time.count)),
-                    "Plan again; the times were changed.");
+        if (found.time.count > 0) {
+            // Rounding in files is far below a second in all. Without times nothing else is known of them.
+            constexpr double kMissingS = 1.0;
+            add(found.missingTimeS > kMissingS ? Severity::Blocking : Severity::Note, FindingKind::Time,
+                found.time.place,
+                message("Time and way do not fit the speed in {}.", placesOf(found.time.count)),
+                "Plan again; the times were changed.");
+        }
         noteCrossedLanes();
         noteHitchAngle();
     }

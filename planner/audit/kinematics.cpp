@@ -325,6 +325,7 @@ private:
         // Faster is impossible.
         if (time < -1e-6 || way < -1e-6 || way > fastest * time * 1.01 + 1e-3) {
             found_.time.add(std::abs(time), a.position, index);
+            found_.missingTimeS += std::max(0.0, (fastest > kStandingMps ? way / fastest : 0.0) - time);
         }
     }
 

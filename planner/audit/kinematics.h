@@ -53,9 +53,10 @@ struct Kinematics {
     /// The machine does not stand long enough where a folded stretch begins or ends, s that are missing. A
     /// machine that is not said to stop there misses all of them.
     Trouble folding;
-    Trouble speed;    ///< above the machine's, by m/s
-    Trouble lateral;  ///< lateral acceleration, m/s²
-    Trouble time;     ///< runs backwards or contradicts the speed, s
+    Trouble speed;              ///< above the machine's, by m/s
+    Trouble lateral;            ///< lateral acceleration, m/s²
+    double missingTimeS = 0.0;  ///< to drive the way at the stated speeds
+    Trouble time;               ///< runs backwards or contradicts the speed, s
     Point reversedPlace;
 };
 

@@ -2,6 +2,12 @@
 
 namespace furrow {
 
+namespace {
+
+constexpr std::string_view kFormulaStarts = "=+-@\t\r";
+
+}  // namespace
+
 std::string_view nextLine(std::string_view& text) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
@@ -60,6 +66,16 @@ std::vector<std::string> quotedCellsOf(std::string_view line, char separator, st
         }
     }
     return cells;
+}
+
+std::string asPlainCell(std::string_view text) {
+    const bool isFormula = !text.empty() && kFormulaStarts.contains(text.front());
+    return (isFormula ? "'" : "") + std::string{text};
+}
+
+std::string_view fromPlainCell(std::string_view cell) {
+    const bool isQuoted = cell.size() > 1 && cell[0] == '\'' && kFormulaStarts.contains(cell[1]);
+    return isQuoted ? cell.substr(1) : cell;
 }
 
 }  // namespace furrow

@@ -30,4 +30,10 @@ std::vector<std::string_view> cellsOf(std::string_view line, char separator);
 /// @param most  what comes after so many cells is left out
 std::vector<std::string> quotedCellsOf(std::string_view line, char separator, std::size_t most = 1000);
 
+/// A text as a cell that no spreadsheet takes for a formula: one that begins with =, +, -, @ or a tab gets a
+/// quote before it.
+std::string asPlainCell(std::string_view text);
+/// The text of such a cell.
+std::string_view fromPlainCell(std::string_view cell);
+
 }  // namespace furrow

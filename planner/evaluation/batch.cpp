@@ -1,5 +1,6 @@
 #include "planner/evaluation/batch.h"
 
+#include "planner/core/json_text.h"
 #include "planner/evaluation/batch_key.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/io/delivery/plan_folder.h"
@@ -88,7 +89,7 @@ std::optional<double> numberIn(const Json& json, const char* key) {
 
 /// A line of an earlier run. Empty for a line that was cut short.
 std::optional<BatchRecord> recordFrom(const std::string& line) {
-    const Json json = Json::parse(line, nullptr, false);
+    const Json json = jsonOrDiscarded<Json>(line);
     if (!json.is_object() || !json.contains("time_ms")) {
         return std::nullopt;
     }
@@ -466,22 +467,28 @@ Result<BatchReport> runBatch(const BatchTask& task, const JobContext& job) {
     }
     std::mutex mutex;
     std::optional<Error> error;
+    // A full disk stops all fields, as a cancel does.
+    std::stop_source stop;
+    const std::stop_callback onCancel{job.stop, [&stop] { stop.request_stop(); }};
+    const JobContext all{.stop = stop.get_token(), .progress = job.progress, .threads = job.threads};
     const auto ran = parallelFor(
         open.size(),
         [&](std::size_t i) {
-            auto record = planned(*open[i], task, run, {.stop = job.stop, .progress = {}, .threads = 1});
+            auto record = planned(*open[i], task, run, {.stop = all.stop, .progress = {}, .threads = 1});
             const Result<void> kept =
                 record ? file.add(*record) : Result<void>{std::unexpected(record.error())};
             const std::lock_guard lock{mutex};
             if (!kept) {
-                error = kept.error();
+                // Those that are stopped by the first one are only cancelled.
+                error = error.value_or(kept.error());
+                stop.request_stop();
             } else {
                 records.push_back(std::move(*record));
             }
         },
-        job);
-    if (!ran || error) {
-        return std::unexpected(ran ? *error : ran.error());
+        all);
+    if (error || !ran) {
+        return std::unexpected(error ? *error : ran.error());
     }
     return reportOf(std::move(records));
 }

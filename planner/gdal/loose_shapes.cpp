@@ -49,6 +49,16 @@ std::string nameAround(pugi::xml_node node) {
     return {};
 }
 
+/// By itself, or by what it is part of.
+bool namesSystem(pugi::xml_node node) {
+    for (; node; node = node.parent()) {
+        if (!std::string_view{node.attribute("srsName").as_string()}.empty()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 Result<void> readWktShapes(const std::string& text, const std::string& name, const VectorReading& reading) {
@@ -107,6 +117,10 @@ Result<void> readPolygonElements(const std::string& text, const std::string& nam
                 message("{}, {}", name,
                         lineAndColumn(text, static_cast<std::size_t>(found.node().offset_debug()))),
                 "this polygon cannot be read", "check its coordinates"));
+        }
+        if (geometry->getSpatialReference() == nullptr && namesSystem(found.node())) {
+            return std::unexpected(inputRefused(name, "the coordinate system that it names is not known",
+                                                "export the field again in WGS84 (longitude and latitude)"));
         }
         const Result<ToWgs84> toWgs84 = ToWgs84::from(geometry->getSpatialReference(), name);
         if (!toWgs84) {

@@ -26,6 +26,18 @@ bool systemFileExists(const std::string& systemPath) {
     return VSIStatL(systemPath.c_str(), &status) == 0;
 }
 
+Error tooLargeText(const std::string& where, std::size_t most) {
+    return inputRefused(where,
+                        message("a text with fields may take {} MiB, and this one takes more", most >> 20),
+                        "cut it into parts, or export it as a GeoPackage");
+}
+
+std::optional<std::uintmax_t> systemFileSize(const std::string& systemPath) {
+    VSIStatBufL status;
+    return VSIStatL(systemPath.c_str(), &status) == 0 ? std::optional<std::uintmax_t>{status.st_size}
+                                                      : std::nullopt;
+}
+
 Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
                                     std::size_t wanted) {
     registerGdalDrivers();
@@ -63,8 +75,16 @@ Result<std::string> systemFileBytes(const std::string& systemPath, const std::st
 }
 
 std::string systemPathInto(const std::string& zip) {
-    // Braces keep a name with blanks, brackets or another ".zip" in it in one piece.
-    return std::format("/vsizip/{{{}}}", zip);
+    int open = 0;
+    for (const char c : zip) {
+        open += c == '{' ? 1 : 0;
+        if (c == '}' && --open < 0) {
+            break;
+        }
+    }
+    // Braces keep a name with blanks, brackets or another ".zip" in it in one piece. With an unpaired one in
+    // it GDAL finds the end of the name by ".zip" or ".kmz".
+    return open == 0 ? std::format("/vsizip/{{{}}}", zip) : std::format("/vsizip/{}", zip);
 }
 
 std::optional<std::vector<ListedFile>> filesBelow(const std::string& root, int depth, std::size_t most) {

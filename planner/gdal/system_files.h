@@ -15,6 +15,10 @@ namespace furrow {
 /// The largest file that is read into memory at once.
 inline constexpr std::size_t kLargestFileBytes = std::size_t{1} << 30;
 
+/// The largest text that is read as a field. What takes it apart needs three to eleven times as much.
+inline constexpr std::size_t kLargestFieldText = std::size_t{512} << 20;
+inline constexpr std::size_t kLargestFieldXml = std::size_t{128} << 20;
+
 bool systemFileExists(const std::string& systemPath);
 
 /// The bytes of a file, or the first of them; `where` names it in messages.
@@ -23,6 +27,12 @@ bool systemFileExists(const std::string& systemPath);
 Result<std::string> systemFileBytes(const std::string& systemPath, const std::string& where);
 Result<std::string> systemFileStart(const std::string& systemPath, const std::string& where,
                                     std::size_t wanted);
+
+/// InputRefused, for a text of more than `most` bytes.
+Error tooLargeText(const std::string& where, std::size_t most);
+
+/// The stated length; nothing where there is no such file.
+std::optional<std::uintmax_t> systemFileSize(const std::string& systemPath);
 
 /// A zip's content as a folder.
 std::string systemPathInto(const std::string& zip);

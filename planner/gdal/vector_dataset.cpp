@@ -1,6 +1,7 @@
 #include "planner/gdal/vector_dataset.h"
 
 #include "planner/core/file_error.h"
+#include "planner/core/json_text.h"
 #include "planner/core/text.h"
 #include "planner/gdal/feature_shapes.h"
 #include "planner/gdal/system_files.h"
@@ -35,7 +36,7 @@ constexpr std::pair<const char*, const char*> kThreadOptions[] = {
 std::string keyOf(const OGRFeature& feature, const std::string& fidColumn) {
     const char* native = feature.GetNativeData();
     if (native != nullptr) {
-        const nlohmann::json json = nlohmann::json::parse(native, nullptr, false);
+        const nlohmann::json json = jsonOrDiscarded<nlohmann::json>(native);
         if (json.is_object() && json.contains("id")) {
             const nlohmann::json& id = json["id"];
             return id.is_string() ? id.get<std::string>() : id.is_number() ? id.dump() : std::string{};
@@ -127,6 +128,8 @@ VectorDataset::Dataset VectorDataset::openWith(const std::string& path, const ch
     options.SetNameValue("WRITE_GFS", "NO");        // GML: nothing is written beside the file
     options.SetNameValue("DOWNLOAD_SCHEMA", "NO");  // GML
     options.SetNameValue("GEOM_POSSIBLE_NAMES", "WKT,geom,geometry,the_geom,polygon,boundary");  // CSV
+    // GeoPackage: a view that is no layer may never end, and holds no fields.
+    options.SetNameValue("LIST_ALL_TABLES", "NO");
     // SQLite would leave files beside a GeoPackage; unless there are changes still waiting in one.
     if (!systemFileExists(path + "-wal")) {
         options.SetNameValue("IMMUTABLE", "YES");

@@ -4,6 +4,7 @@
 #include "planner/gdal/memory_folder.h"
 #include "planner/gdal/messages.h"
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -110,6 +111,7 @@ bool addLayer(GDALDataset& dataset, const VectorLayer& layer, VectorFormat forma
     CPLStringList options;
     if (format == VectorFormat::Shapefile) {
         options.SetNameValue("ENCODING", "UTF-8");
+        options.SetNameValue("DBF_DATE_LAST_UPDATE", "2000-01-01");
     }
     OGRLayer* made = dataset.CreateLayer(layer.name.c_str(), &wgs84, typeOf(layer), options.List());
     if (made == nullptr || !addColumns(*made, layer)) {
@@ -131,6 +133,18 @@ bool addLayer(GDALDataset& dataset, const VectorLayer& layer, VectorFormat forma
     return true;
 }
 
+/// The same plan gives the same bytes: a GeoPackage does not say when it was made.
+class FixedDate {
+public:
+    FixedDate() { CPLSetThreadLocalConfigOption(kOption, "2000-01-01T00:00:00.000Z"); }
+    ~FixedDate() { CPLSetThreadLocalConfigOption(kOption, nullptr); }
+    FixedDate(const FixedDate&) = delete;
+    FixedDate& operator=(const FixedDate&) = delete;
+
+private:
+    static constexpr const char* kOption = "OGR_CURRENT_DATE";
+};
+
 }  // namespace
 
 Result<std::vector<FileInMemory>> vectorFiles(VectorFormat format, const std::string& name,
@@ -138,6 +152,7 @@ Result<std::vector<FileInMemory>> vectorFiles(VectorFormat format, const std::st
     registerGdalDrivers();
     const GdalMessages messages;
     const MemoryFolder memory;
+    const FixedDate date;
     const bool isShapefile = format == VectorFormat::Shapefile;
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(isShapefile ? "ESRI Shapefile" : "GPKG");
     GDALDataset* dataset = driver == nullptr

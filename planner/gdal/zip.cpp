@@ -12,6 +12,40 @@
 
 namespace furrow {
 
+namespace {
+
+std::size_t numberAt(const std::string& bytes, std::size_t at, std::size_t size) {
+    std::size_t number = 0;
+    for (std::size_t i = size; i-- > 0;) {
+        number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    return number;
+}
+
+/// The same files give the same bytes: all times are the first that a zip can state, 1980-01-01.
+std::string withoutTimes(std::string zip) {
+    constexpr std::string_view kFirstTime{"\0\0\x21\0", 4};
+    constexpr std::size_t kEndBytes = 22;
+    constexpr std::size_t kEntryBytes = 46;
+    if (zip.size() < kEndBytes || !zip.substr(zip.size() - kEndBytes).starts_with("PK\x05\x06")) {
+        return zip;
+    }
+    const std::size_t end = zip.size() - kEndBytes;
+    std::size_t at = numberAt(zip, end + 16, 4);
+    for (std::size_t left = numberAt(zip, end + 10, 2); left > 0 && at + kEntryBytes <= end; --left) {
+        const std::size_t local = numberAt(zip, at + 42, 4);
+        if (local + 14 > end) {
+            return zip;
+        }
+        zip.replace(at + 12, kFirstTime.size(), kFirstTime);
+        zip.replace(local + 10, kFirstTime.size(), kFirstTime);
+        at += kEntryBytes + numberAt(zip, at + 28, 2) + numberAt(zip, at + 30, 2) + numberAt(zip, at + 32, 2);
+    }
+    return zip;
+}
+
+}  // namespace
+
 Result<std::string> zipOf(std::span<const FileInMemory> files) {
     const GdalMessages messages;
     const MemoryFolder memory;
@@ -32,7 +66,7 @@ Result<std::string> zipOf(std::span<const FileInMemory> files) {
                                      .where = "",
                                      .remedy = "choose another format"});
     }
-    return memory.bytes("out.zip");
+    return withoutTimes(memory.bytes("out.zip"));
 }
 
 std::vector<FileInMemory> filesInZip(std::string_view zip) {

@@ -39,6 +39,8 @@ constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
 // Passes over a piece: number of headings, and distance between neighbours as a share of the width.
 constexpr int kHeadings = 24;
 constexpr double kStepShare = 0.125;
+// A hundred times what large fields take.
+constexpr std::size_t kMostPointsClipped = 200'000'000;
 
 /// The part of a ring on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Separate
 /// parts stay joined by edges without area between them.
@@ -116,14 +118,6 @@ Ring clipped(Ring ring, const Ring& strip) {
     return ring.size() < 3 ? Ring{} : ring;
 }
 
-double inStripM2(const Polygon& polygon, const Ring& strip) {
-    double sumM2 = signedAreaM2(clipped(polygon.outer, strip));
-    for (const Ring& hole : polygon.holes) {
-        sumM2 += signedAreaM2(clipped(hole, strip));
-    }
-    return sumM2;
-}
-
 }  // namespace
 
 Ring stripOf(const FinishingPass& pass, double widthM) {
@@ -193,6 +187,23 @@ FinishingLanes::FinishingLanes(const FinishingTask& task)
       flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) + kBesideEdgeM},
       runInM_{task.lowered.machine().runIn().si()} {}
 
+Ring FinishingLanes::clippedBy(const Ring& strip, const Ring& ring) const {
+    pointsClipped_ += ring.size();
+    return clipped(ring, strip);
+}
+
+double FinishingLanes::inStripM2(const Polygon& polygon, const Ring& strip) const {
+    double sumM2 = signedAreaM2(clippedBy(strip, polygon.outer));
+    for (const Ring& hole : polygon.holes) {
+        sumM2 += signedAreaM2(clippedBy(strip, hole));
+    }
+    return sumM2;
+}
+
+bool FinishingLanes::isSpent() const {
+    return pointsClipped_ > kMostPointsClipped;
+}
+
 double FinishingLanes::leastGainM2() const {
     return std::clamp(kLeastGainOfStay * task_.mayStay.si(), kSmallestGainShare * widthM_ * widthM_,
                       kLeastGainShare * widthM_ * widthM_);
@@ -209,6 +220,9 @@ bool FinishingLanes::isRefused(const Curve& line) const {
 std::vector<FinishingLane> FinishingLanes::beside(const Polygon& piece) const {
     std::vector<FinishingLane> lanes;
     for (const Guide& guide : guidesFor(piece, task_.workable, widthM_)) {
+        if (isSpent()) {
+            break;
+        }
         for (const double sign : {1.0, -1.0}) {
             const Point along = sign * guide.along;
             const Point begin = sign > 0.0 ? guide.on : guide.on + guide.lengthM * guide.along;
@@ -225,7 +239,7 @@ std::vector<FinishingLane> FinishingLanes::beside(const Polygon& piece) const {
 
 std::vector<FinishingLane> FinishingLanes::across(const Polygon& piece) const {
     std::vector<FinishingLane> lanes;
-    for (int i = 0; i < kHeadings; ++i) {
+    for (int i = 0; i < kHeadings && !isSpent(); ++i) {
         const Point along = direction(2.0 * std::numbers::pi * i / kHeadings);
         const Point side{-along.y, along.x};
         const auto [right, left] = std::ranges::minmax(piece.outer | std::views::transform([&](Point point) {
@@ -267,10 +281,10 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
         if (!touch(piece.box, box)) {
             continue;
         }
-        const Ring inStrip = clipped(piece.outline.outer, strip);
+        const Ring inStrip = clippedBy(strip, piece.outline.outer);
         candidate.gainM2 += signedAreaM2(inStrip);
         for (const Ring& hole : piece.outline.holes) {
-            candidate.gainM2 += signedAreaM2(clipped(hole, strip));
+            candidate.gainM2 += signedAreaM2(clippedBy(strip, hole));
         }
         for (const Point& point : inStrip) {
             const double m = dot(lane.along, point - lane.on);
@@ -347,7 +361,7 @@ void FinishingLanes::addLane(const Polygon& piece, Point on, Point along, double
     const double beyondM = kBeyondWidths * widthM_;
     const Ring strip = {on - beyondM * along - side, on + (lengthM + beyondM) * along - side,
                         on + (lengthM + beyondM) * along + side, on - beyondM * along + side};
-    const Ring beside = clipped(piece.outer, strip);
+    const Ring beside = clippedBy(strip, piece.outer);
     const double gainM2 = std::abs(signedAreaM2(beside));
     if (beside.empty() || gainM2 < leastGainM2()) {
         return;

@@ -2,6 +2,7 @@
 
 #include "planner/headland/finishing_passes.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -73,6 +74,9 @@ public:
     explicit FinishingLanes(const FinishingTask& task);
 
     double widthM() const { return widthM_; }
+    /// Whether so much was looked at that the rest of the land is not worth more: on outlines of a thousand
+    /// teeth every pass is beside every other one. Counted, not timed, so that plans stay the same.
+    bool isSpent() const;
     /// The least gain worth lowering the implement for.
     double leastGainM2() const;
     /// Whether nearly the same pass was refused before.
@@ -96,10 +100,14 @@ private:
     void addLane(const Polygon& piece, Point on, Point along, double lengthM,
                  std::vector<FinishingLane>& lanes) const;
 
+    Ring clippedBy(const Ring& strip, const Ring& ring) const;
+    double inStripM2(const Polygon& polygon, const Ring& strip) const;
+
     const FinishingTask& task_;
     double widthM_;
     double flushM_;  ///< from an edge to the middle of a pass along it
     double runInM_;
+    mutable std::size_t pointsClipped_ = 0;
 };
 
 }  // namespace furrow

@@ -42,7 +42,8 @@ Result<void> chooseBest(std::vector<FinishingLane> lanes, const FinishingLanes& 
                         const FinishingTask& task, Chosen& chosen, const JobContext& job) {
     const auto less = [](const FinishingLane& a, const FinishingLane& b) { return a.gainM2 < b.gainM2; };
     std::ranges::make_heap(lanes, less);
-    while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left)) {
+    while (!lanes.empty() && chosen.passes.size() < kMostPasses && isTooMuch(task, chosen.left) &&
+           !finder.isSpent()) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
@@ -146,7 +147,7 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
         }
     }
     for (const auto lanesOver : {&FinishingLanes::beside, &FinishingLanes::across}) {
-        if (!isTooMuch(task, chosen.left)) {
+        if (!isTooMuch(task, chosen.left) || finder.isSpent()) {
             break;
         }
         std::vector<FinishingLane> lanes;

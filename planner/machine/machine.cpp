@@ -1,5 +1,7 @@
 #include "planner/machine/machine.h"
 
+#include "planner/machine/machine_keys.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +19,6 @@ constexpr double kMostReserve = 0.05;
 /// Time from straight wheels to full lock, if the machine gives no rate.
 constexpr Duration kFullLockTime = seconds(2.0);
 
-constexpr Duration kLongestFolding = seconds(3600.0);
-
 Error refused(std::string_view key, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
@@ -26,48 +26,10 @@ Error refused(std::string_view key, Message what, Message remedy) {
             .remedy = std::move(remedy)};
 }
 
-struct Requirement {
-    std::string_view key;
-    double value;
-    bool mayBeZero = false;
-};
-
-/// Numbers above 0, or of 0 and more.
-Result<void> checkNumbers(const MachineSpec& spec) {
-    const Tractor& tractor = spec.tractor;
-    const Implement& implement = spec.implement;
-    const Requirement requirements[] = {
-        {"operating_width_m", implement.operatingWidth.si()},
-        {"raised_width_m", implement.raisedWidth.value_or(metres(1.0)).si()},
-        {"transport_width_m", implement.transportWidth.value_or(metres(1.0)).si()},
-        {"vehicle_width_m", tractor.width.si()},
-        {"vehicle_length_m", tractor.length.si()},
-        {"rear_overhang_m", tractor.rearOverhang.si(), true},
-        {"wheelbase_m", tractor.wheelbase.si()},
-        {"min_turning_radius_m", tractor.minTurningRadius.value_or(metres(1.0)).si()},
-        {"max_curvature_rate_1pm2", tractor.maxCurvatureRate.value_or(CurvatureRate::fromSi(1.0)).si()},
-        {"steering_rate_degps", tractor.steeringRateRadps.value_or(1.0)},
-        {"working_speed_mps", tractor.workingSpeed.si()},
-        {"turning_speed_mps", tractor.turningSpeed.si()},
-        {"transfer_speed_mps", tractor.transferSpeed.si()},
-        {"reverse_speed_mps", tractor.reverseSpeed.si()},
-        {"max_acceleration_mps2", tractor.maxAcceleration.si()},
-        {"max_lateral_acceleration_mps2", tractor.maxLateralAcceleration.si()},
-        {"implement_length_m", implement.length.si(), true},
-        {"time_to_fold_s", implement.timeToFold.si(), true},
-        {"lift_time_s", implement.liftTime.si(), true},
-        {"lower_time_s", implement.lowerTime.si(), true},
-        {"run_in_m", implement.runIn.si(), true},
-    };
-    for (const Requirement& requirement : requirements) {
-        const bool largeEnough = requirement.mayBeZero ? requirement.value >= 0.0 : requirement.value > 0.0;
-        if (!std::isfinite(requirement.value) || !largeEnough) {
-            return std::unexpected(
-                refused(requirement.key, message("{} cannot be worked with", requirement.value),
-                        requirement.mayBeZero ? "give a number of 0 or more" : "give a number above 0"));
-        }
-    }
-    return {};
+/// Whether a number lies in the range of a key.
+bool isInRange(std::string_view key, double value) {
+    const auto found = std::ranges::find(machineKeys(), key, &MachineKey::key);
+    return value >= found->least && value <= found->most;
 }
 
 /// A turning radius, or an angle that gives one.
@@ -80,11 +42,13 @@ Result<void> checkSteering(const Tractor& tractor) {
                                        "neither turning radius nor steering angle is given",
                                        "give min_turning_radius_m or max_steering_angle_deg"));
     }
-    if (!(*tractor.maxSteeringAngle > degrees(0.0) && *tractor.maxSteeringAngle < degrees(90.0))) {
+    const double radiusM = tractor.wheelbase.si() / std::tan(tractor.maxSteeringAngle->si());
+    if (!isInRange("min_turning_radius_m", radiusM)) {
         return std::unexpected(
             refused("max_steering_angle_deg",
-                    message("{} degrees cannot be steered", inDegrees(*tractor.maxSteeringAngle)),
-                    "give an angle above 0 and below 90 degrees"));
+                    message("with this wheelbase, {} degrees give a turning radius of {:.2f} m",
+                            inDegrees(*tractor.maxSteeringAngle), radiusM),
+                    "correct one of them, or give min_turning_radius_m"));
     }
     return {};
 }
@@ -101,7 +65,7 @@ Speed steeredSpeed(const Machine& machine) {
 Result<Machine> Machine::create(const MachineSpec& spec) {
     const Tractor& tractor = spec.tractor;
     const Implement& implement = spec.implement;
-    if (auto checked = checkNumbers(spec).and_then([&] { return checkSteering(tractor); }); !checked) {
+    if (auto checked = checkRanges(spec).and_then([&] { return checkSteering(tractor); }); !checked) {
         return std::unexpected(checked.error());
     }
     const Length widest =
@@ -112,18 +76,6 @@ Result<Machine> Machine::create(const MachineSpec& spec) {
                     message("{:.2f} m for transport is wider than the machine at work, {:.2f} m",
                             implement.transportWidth->si(), widest.si()),
                     "give its width while it is folded"));
-    }
-    if (implement.timeToFold > kLongestFolding) {
-        return std::unexpected(refused(
-            "time_to_fold_s", message("{:.0f} s to fold are more than an hour", implement.timeToFold.si()),
-            "give a number from 0 to 3600"));
-    }
-    for (const double offset :
-         {implement.offset.si(), implement.hitchOffset.si(), implement.lateralOffset.si()}) {
-        if (!std::isfinite(offset)) {
-            return std::unexpected(refused("implement offsets", "an offset is not a finite number",
-                                           "give the offsets in metres"));
-        }
     }
     return Machine{spec};
 }

@@ -96,8 +96,8 @@ struct MachineSpec {
 /// A tractor with its implement. Every Machine that exists can be planned with.
 class Machine {
 public:
-    /// InputRefused, naming the key: a width, radius or speed that is not positive and finite, a steering
-    /// angle outside 0 to 90 degrees, neither radius nor steering angle.
+    /// InputRefused, naming the key: a number beyond what real machines have (machine_keys.h), neither radius
+    /// nor steering angle, wider for transport than at work.
     static Result<Machine> create(const MachineSpec& spec);
 
     const MachineSpec& spec() const { return spec_; }

@@ -1,5 +1,6 @@
 #include "planner/project/history.h"
 
+#include "planner/core/json_text.h"
 #include "planner/io/files/file_folder.h"
 #include "planner/project/project_edits.h"
 #include "planner/project/project_json.h"
@@ -86,12 +87,15 @@ std::string sealed(const OrderedJson& json) {
     return std::format("{} {}\n", sum, text);
 }
 
+// A project lies some levels deep in it.
+constexpr int kDeepestLine = kDeepestJson + 20;
+
 std::optional<OrderedJson> unsealed(std::string_view line) {
     const std::size_t space = line.find(' ');
     if (space == std::string_view::npos) {
         return std::nullopt;
     }
-    OrderedJson json = OrderedJson::parse(line.substr(space + 1), nullptr, false);
+    OrderedJson json = jsonOrDiscarded<OrderedJson>(line.substr(space + 1), kDeepestLine);
     if (json.is_discarded() || sealed(json) != std::string{line} + "\n") {
         return std::nullopt;
     }

@@ -1,5 +1,6 @@
 #include "planner/project/plan_results.h"
 
+#include "planner/core/json_text.h"
 #include "planner/project/json_members.h"
 #include "planner/version.h"
 
@@ -49,7 +50,7 @@ std::string PlanResults::json() const {
 
 PlanResults PlanResults::fromJson(std::string_view text) {
     PlanResults results;
-    const OrderedJson json = OrderedJson::parse(text, nullptr, false);
+    const OrderedJson json = jsonOrDiscarded<OrderedJson>(text);
     try {
         if (json.at("version").get<std::string>() != kVersion) {
             return results;

@@ -1,8 +1,8 @@
 #include "planner/project/project_file.h"
 
 #include "planner/core/file_error.h"
+#include "planner/core/json_text.h"
 #include "planner/core/text.h"
-#include "planner/core/text_file.h"
 #include "planner/io/files/atomic_files.h"
 #include "planner/io/files/file_folder.h"
 #include "planner/project/migrations.h"
@@ -183,8 +183,13 @@ Result<OpenedProject> parseProject(std::string_view text, const std::string& ori
         return std::unexpected(inputRefused(origin, message("this project file is damaged: {}", what),
                                             "restore a copy of the file"));
     };
+    auto json = readJson<OrderedJson>(text);
+    if (!json) {
+        const JsonFault& fault = json.error();
+        return damaged(fault.place.empty() ? fault.what : message("{} ({})", fault.what, fault.place));
+    }
     try {
-        OrderedJson document = OrderedJson::parse(withoutByteOrderMark(text));
+        OrderedJson document = *std::move(json);
         if (!document.is_object() || !document.contains(kMember) || !document.at(kMember).is_object()) {
             return std::unexpected(inputRefused(origin, "this is not a project of Furrow",
                                                 "open it as a field boundary, or choose another file"));
@@ -199,11 +204,8 @@ Result<OpenedProject> parseProject(std::string_view text, const std::string& ori
             opened->fingerprint = fingerprint(text);
         }
         return opened;
-    } catch (const OrderedJson::parse_error& error) {
-        return damaged(
-            message("it is not JSON at {}", lineAndColumn(text, error.byte == 0 ? 0 : error.byte - 1)));
-    } catch (const OrderedJson::exception& error) {
-        return damaged(error.what());
+    } catch (const OrderedJson::exception&) {
+        return damaged("a value in it is not of the kind that belongs there");
     }
 }
 

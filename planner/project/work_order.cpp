@@ -1,5 +1,6 @@
 #include "planner/project/work_order.h"
 
+#include "planner/core/json_text.h"
 #include "planner/project/json_members.h"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ std::string workOrderJson(const WorkOrder& order) {
 }
 
 Result<WorkOrder> parseWorkOrder(std::string_view text, std::string_view where) {
-    const OrderedJson json = OrderedJson::parse(text, nullptr, false);
+    const OrderedJson json = jsonOrDiscarded<OrderedJson>(text);
     if (!json.is_object()) {
         return std::unexpected(refused(where, "a work order is a JSON object, and this is none",
                                        "see the README for the members of a work order"));

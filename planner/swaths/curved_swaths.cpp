@@ -17,7 +17,6 @@ namespace {
 
 // Slightly more than the machine's radius, so that rounding stays within the limit.
 constexpr double kRadiusReserve = 1.0 + 1e-6;
-constexpr double kMostTracks = 1e6;
 // Tracks within this distance are flush.
 constexpr double kFlushM = 1e-3;
 // Largest distance of strips from their chords when their area is measured.
@@ -180,8 +179,8 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
         lowM = std::min(lowM, leftM);
         highM = std::max(highM, leftM);
     }
-    if ((highM - lowM) / (spacing.width - spacing.overlap).si() > kMostTracks) {
-        return std::unexpected(tooManyTracks(spacing));
+    if (const auto checked = checkTrackCount(spacing, metres(highM - lowM)); !checked) {
+        return std::unexpected(checked.error());
     }
     const std::vector<double> places = trackPlaces(lowM, highM, spacing, anchored);
     const Length radius = swathRadius(task.machine);

@@ -55,12 +55,20 @@ Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anch
     return spacing;
 }
 
-Error tooManyTracks(const SwathSpacing& spacing) {
-    return {.code = ErrorCode::InputRefused,
-            .what = message("{} m for each swath makes over a million swaths",
-                            (spacing.width - spacing.overlap).si()),
-            .where = "operating_width_m",
-            .remedy = "check the operating width and the overlap"};
+Result<void> checkTrackCount(const SwathSpacing& spacing, Length across) {
+    // Twice what the narrowest machine makes of the largest fields.
+    constexpr double kMostTracks = 10'000.0;
+    const Length step = spacing.width - spacing.overlap;
+    const double count = across / step;
+    if (count <= kMostTracks) {
+        return {};
+    }
+    return std::unexpected(Error{
+        .code = ErrorCode::InputRefused,
+        .what = message("{:.3f} m for each swath gives {:.0f} swaths, and no plan may have more than {:.0f}",
+                        step.si(), count, kMostTracks),
+        .where = "operating_width_m",
+        .remedy = "check the operating width and the overlap"});
 }
 
 Error noSwathFits() {
@@ -81,8 +89,8 @@ Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor)
                                    .turning = machine.turningSpeed(),
                                    .radius = machine.minTurningRadius(),
                                    .lead = -machine.spec().implement.offset}};
-    if (scanLine.tooManyTracks()) {
-        return std::unexpected(tooManyTracks(*spacing));
+    if (const auto checked = checkTrackCount(*spacing, scanLine.diameter()); !checked) {
+        return std::unexpected(checked.error());
     }
     return scanLine;
 }

@@ -11,14 +11,14 @@ namespace furrow {
 /// InputRefused: the overlap is not below the operating width.
 Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor = {});
 
-/// The width is so small that there would be over a million tracks.
-Error tooManyTracks(const SwathSpacing& spacing);
+/// Told before the work begins. InputRefused: a land so broad would get over 10,000 tracks.
+Result<void> checkTrackCount(const SwathSpacing& spacing, Length across);
 
 /// Not one swath fits into the mainland.
 Error noSwathFits();
 
 /// The scan line for this task. With an anchor, one of its tracks runs through that point. InputRefused: the
-/// overlap is not below the operating width, or the width would give over a million tracks.
+/// overlap is not below the operating width, or the width would give over 10,000 tracks.
 Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor = {});
 
 /// The best of some headings. All are tried in parallel. Of equal ones the first is kept, for any thread

@@ -12,8 +12,6 @@ namespace furrow {
 
 namespace {
 
-constexpr double kMostTracks = 1e6;
-
 /// The distances from the centre to the nearest and the farthest point of the mainland.
 std::pair<double, double> reachOf(const MultiPolygon& mainland, Point centre) {
     double nearestM = std::numeric_limits<double>::infinity();
@@ -65,8 +63,8 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
     const Point centre = task.field.frame().toLocal(given.front());
     const auto [nearestM, farthestM] = reachOf(task.mainland, centre);
     const double stepM = (spacing->width - spacing->overlap).si();
-    if ((farthestM - nearestM) / stepM > kMostTracks) {
-        return std::unexpected(tooManyTracks(*spacing));
+    if (const auto checked = checkTrackCount(*spacing, metres(farthestM - nearestM)); !checked) {
+        return std::unexpected(checked.error());
     }
     const double tightestM = swathRadius(task.machine).si();
     const MainlandEdges edges{task.mainland};

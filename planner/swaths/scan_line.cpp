@@ -13,7 +13,6 @@ namespace {
 
 // Shorter stretches are rounding at a corner, not work.
 constexpr double kShortestSwathM = 1e-3;
-constexpr double kMostTracks = 1e6;
 // With fewer vertices all of them are rotated as quickly as they are searched.
 constexpr std::size_t kManyVertices = 400;
 
@@ -64,8 +63,8 @@ ScanLine::ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
     }
 }
 
-bool ScanLine::tooManyTracks() const {
-    return diameterM_ / (spacing_.width - spacing_.overlap).si() > kMostTracks;
+Length ScanLine::diameter() const {
+    return metres(diameterM_);
 }
 
 void ScanLine::turnTo(Angle heading, Walk& walk) const {

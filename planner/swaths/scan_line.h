@@ -57,9 +57,8 @@ public:
     ScanLine(const MultiPolygon& mainland, const SwathSpacing& spacing,
              const std::optional<DrivingModel>& driving = {});
 
-    /// Whether a heading would need more swaths than anybody can tell apart: a width of centimetres on a
-    /// field of kilometres.
-    bool tooManyTracks() const;
+    /// The largest distance across the mainland.
+    Length diameter() const;
 
     /// Exact figures of one heading, with the best layout for the objective. LastPass::Overlap chooses the
     /// side of the moved swath, LastPass::Gap the shift. Cost: O(n log n + swaths) for n vertices and each of

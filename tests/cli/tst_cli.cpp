@@ -126,10 +126,10 @@ class TestCli : public QObject {
         const QString field = sampleField("home_field");
         QTest::newRow("operating width below zero")
             << plan(field, machine("width.json", R"("operating_width_m": -3, "min_turning_radius_m": 5)"))
-            << 3 << "operating_width_m: -3 cannot be worked with";
+            << 3 << "operating_width_m: -3 m is beyond what machines have";
         QTest::newRow("radius of zero")
             << plan(field, machine("radius.json", R"("operating_width_m": 3, "min_turning_radius_m": 0)"))
-            << 3 << "min_turning_radius_m: 0 cannot be worked with";
+            << 3 << "min_turning_radius_m: 0 m is beyond what machines have";
         QTest::newRow("machine too wide")
             << plan(sampleField("long_strip"), {"--set", "field.margin_m=40"}) << 3 << "nowhere as wide";
     }

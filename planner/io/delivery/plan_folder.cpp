@@ -1,5 +1,6 @@
 #include "planner/io/delivery/plan_folder.h"
 
+#include "planner/core/json_text.h"
 #include "planner/io/content/plan_content.h"
 #include "planner/io/delivery/checked_files.h"
 #include "planner/io/delivery/terminals.h"
@@ -31,8 +32,7 @@ std::vector<fs::path> filesOfPlanIn(const fs::path& folder) {
     if (!fs::is_regular_file(folder / kSummary, failed)) {
         return {};
     }
-    const nlohmann::json summary =
-        nlohmann::json::parse(fileBytes(folder / kSummary).value_or(""), nullptr, false);
+    const nlohmann::json summary = jsonOrDiscarded<nlohmann::json>(fileBytes(folder / kSummary).value_or(""));
     const auto listed = summary.is_object() ? summary.find("files") : summary.end();
     std::vector<fs::path> files;
     if (listed != summary.end() && listed->is_array()) {

@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <ranges>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -31,7 +33,9 @@ class PendingFile {
 public:
     PendingFile(fs::path target, std::string_view text)
         : target_{std::move(target)}, part_{target_.string() + ".part"} {
-        const int file = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        // What an interrupted run left is replaced. A link of that name would lead elsewhere.
+        ::unlink(part_.c_str());
+        const int file = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file < 0) {
             problem_ = lastError();
             return;
@@ -80,7 +84,49 @@ private:
     std::error_code problem_;
 };
 
+/// The folders that are made for files; those that are empty go again unless the files are there.
+class MadeFolders {
+public:
+    MadeFolders() = default;
+    ~MadeFolders() {
+        for (const fs::path& folder : made_ | std::views::reverse) {
+            std::error_code ignored;
+            fs::remove(folder, ignored);
+        }
+    }
+    MadeFolders(const MadeFolders&) = delete;
+    MadeFolders& operator=(const MadeFolders&) = delete;
+
+    std::error_code make(const fs::path& folder) {
+        std::vector<fs::path> missing;
+        std::error_code failed;
+        for (fs::path each = folder; !each.empty() && !fs::exists(each, failed); each = each.parent_path()) {
+            missing.push_back(each);
+        }
+        fs::create_directories(folder, failed);
+        made_.insert(made_.end(), missing.rbegin(), missing.rend());
+        return failed;
+    }
+    void keep() { made_.clear(); }
+
+private:
+    std::vector<fs::path> made_;  ///< outer ones first
+};
+
+std::atomic<int> writers = 0;
+
+struct Writing {
+    Writing() { ++writers; }
+    ~Writing() { --writers; }
+    Writing(const Writing&) = delete;
+    Writing& operator=(const Writing&) = delete;
+};
+
 }  // namespace
+
+bool isWritingFiles() {
+    return writers > 0;
+}
 
 FileToWrite toWrite(FileInMemory file) {
     return {std::move(file.path), [bytes = std::move(file.bytes)] { return bytes; }};
@@ -88,15 +134,15 @@ FileToWrite toWrite(FileInMemory file) {
 
 Result<std::vector<fs::path>> writeTogether(const fs::path& folder, std::span<const FileToWrite> files,
                                             const JobContext& job) {
+    const Writing writing;
+    MadeFolders folders;
     std::vector<PendingFile> pending;
     for (const FileToWrite& file : files) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }
         const fs::path target = folder / file.path;
-        std::error_code failed;
-        fs::create_directories(target.parent_path(), failed);
-        if (failed) {
+        if (const std::error_code failed = folders.make(target.parent_path())) {
             return std::unexpected(writeFailed(target.parent_path(), failed));
         }
         pending.emplace_back(target, file.text());
@@ -113,6 +159,7 @@ Result<std::vector<fs::path>> writeTogether(const fs::path& folder, std::span<co
             return std::unexpected(writeFailed(file.target(), failed));
         }
         written.push_back(file.target());
+        folders.keep();
     }
     return written;
 }

@@ -30,4 +30,7 @@ Result<std::vector<std::filesystem::path>> writeTogether(const std::filesystem::
                                                          std::span<const FileToWrite> files,
                                                          const JobContext& job = {});
 
+/// Whether writeTogether is at work in any thread: until then nothing is half written.
+bool isWritingFiles();
+
 }  // namespace furrow

@@ -19,9 +19,13 @@ constexpr std::size_t kMostEntries = 10'000;
 // macOS adds one of its own to each.
 constexpr std::size_t kMostListed = 2 * kMostEntries;
 
-// Text of machines shrinks to a twentieth at best; what shrinks further was made to fill memories.
-constexpr std::uintmax_t kMostExpansion = 1000;
+// Text of machines shrinks to a twentieth at best, tables of blanks to a hundredth; what shrinks further was
+// made to fill memories. Deflate cannot do more than 1,032.
+constexpr std::uintmax_t kMostExpansion = 300;
 constexpr std::uintmax_t kHarmlessBytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t kMostUnpacked = std::uintmax_t{2} << 30;
+// A zip lists its files at no cost, however deep they lie.
+constexpr int kDeepestInZip = 32;
 
 Result<void> checkOrdinary(const fs::path& path) {
     std::error_code failed;
@@ -66,8 +70,12 @@ Result<std::vector<FileFolder::Entry>> entriesUnder(const std::string& root, con
     }
     if (packedBytes && bytes > kHarmlessBytes && bytes / kMostExpansion > *packedBytes) {
         return std::unexpected(inputRefused(where,
-                                            "it would grow more than a thousandfold when it is unpacked",
+                                            "it would grow more than three hundredfold when it is unpacked",
                                             "this is no zip of fields or recordings"));
+    }
+    if (packedBytes && bytes > kMostUnpacked) {
+        return std::unexpected(inputRefused(where, "it would take more than 2 GiB when it is unpacked",
+                                            "unpack it and give one of its files"));
     }
     std::ranges::sort(entries, {},
                       [](const FileFolder::Entry& entry) { return std::tie(entry.folder, entry.name); });
@@ -97,11 +105,13 @@ Result<std::string> fileStart(const fs::path& path, std::size_t bytes) {
 
 Result<FileFolder> FileFolder::open(const fs::path& path, int depth) {
     const std::string absolute = fs::absolute(path).lexically_normal().string();
-    const std::string root = fs::is_directory(path) ? absolute : systemPathInto(absolute);
+    const bool isDirectory = fs::is_directory(path);
+    const std::string root = isDirectory ? absolute : systemPathInto(absolute);
     std::error_code failed;
     const std::uintmax_t bytes = fs::file_size(path, failed);
     auto entries = entriesUnder(root.ends_with('/') ? root.substr(0, root.size() - 1) : root, path.string(),
-                                depth, failed ? std::nullopt : std::optional{bytes});
+                                isDirectory ? depth : std::max(depth, kDeepestInZip),
+                                failed ? std::nullopt : std::optional{bytes});
     if (!entries) {
         return std::unexpected(entries.error());
     }
@@ -132,6 +142,12 @@ std::vector<const FileFolder::Entry*> FileFolder::called(std::string_view name) 
 std::string FileFolder::placeOf(const Entry& entry) const {
     return entry.folder.empty() ? message("{}, {}", name_, entry.name)
                                 : message("{}, {}/{}", name_, entry.folder, entry.name);
+}
+
+Result<std::string> FileFolder::readText(const Entry& entry, std::size_t most) const {
+    auto text = systemFileStart(entry.systemPath, placeOf(entry), most + 1);
+    return text && text->size() > most ? std::unexpected(tooLargeText(placeOf(entry), most))
+                                       : std::move(text);
 }
 
 Result<std::string> FileFolder::read(const Entry& entry) const {

@@ -24,9 +24,9 @@ bool isZip(std::string_view start);
 class FileFolder {
 public:
     /// @param path  a folder or a zip
-    /// @param depth  levels of inner folders that are looked into
+    /// @param depth  levels of inner folders that are looked into; of a zip at least 32
     /// @return ReadFailed: neither, or damaged. InputRefused: more than 10,000 files, a zip that grows more
-    ///         than a thousandfold.
+    ///         than three hundredfold or beyond 2 GiB.
     static Result<FileFolder> open(const std::filesystem::path& path, int depth = 2);
 
     struct Entry {
@@ -44,6 +44,8 @@ public:
     std::string placeOf(const Entry& entry) const;
     /// Of an entry. ReadFailed: damaged. InputRefused: larger than kLargestFileBytes.
     Result<std::string> read(const Entry& entry) const;
+    /// The same of a text with fields. InputRefused: larger than `most`.
+    Result<std::string> readText(const Entry& entry, std::size_t most) const;
 
 private:
     std::string name_;

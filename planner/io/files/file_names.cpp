@@ -68,8 +68,8 @@ bool isPlain(char letter) {
 }
 
 bool isDevice(std::string_view name) {
-    constexpr std::array kDevices = {"con", "prn", "aux", "nul"};
-    const std::string small = inSmallLetters(name.substr(0, name.find('.')));
+    constexpr std::array kDevices = {"con", "prn", "aux", "nul", "conin$", "conout$"};
+    const std::string small = inSmallLetters(trimmed(name.substr(0, name.find('.'))));
     const bool numbered = small.size() == 4 && (small.starts_with("com") || small.starts_with("lpt")) &&
                           small[3] >= '0' && small[3] <= '9';
     return numbered || std::ranges::contains(kDevices, small);
@@ -130,7 +130,8 @@ std::string safeFileName(std::string_view text, std::string_view otherwise) {
     const std::size_t last = name.find_last_not_of(" .");
     name = first == std::string::npos ? std::string{} : name.substr(first, last - first + 1);
     if (isDevice(name)) {
-        name += '_';
+        // What Windows takes for a device it does with any extension, too.
+        name.insert(std::min(name.find('.'), name.size()), 1, '_');
     }
     return name.empty() ? std::string{otherwise} : name;
 }

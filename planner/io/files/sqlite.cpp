@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace furrow {
 
@@ -26,6 +27,19 @@ SqliteDatabase databaseIn(std::string& bytes) {
     const bool good =
         sqlite3_deserialize(database.get(), "main", reinterpret_cast<unsigned char*>(bytes.data()), size,
                             size, SQLITE_DESERIALIZE_READONLY) == SQLITE_OK;
+    return good ? std::move(database) : nullptr;
+}
+
+SqliteDatabase databaseAt(const std::string& path) {
+    sqlite3* opened = nullptr;
+    std::string name;
+    for (const char c : path) {
+        name += c == '%' ? "%25" : c == '?' ? "%3f" : c == '#' ? "%23" : std::string(1, c);
+    }
+    const std::string uri = "file:" + name + "?mode=ro&immutable=1";
+    const bool good =
+        sqlite3_open_v2(uri.c_str(), &opened, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr) == SQLITE_OK;
+    SqliteDatabase database{opened};
     return good ? std::move(database) : nullptr;
 }
 

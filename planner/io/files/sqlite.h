@@ -21,6 +21,9 @@ SqliteDatabase emptyDatabase();
 /// To read the one that these bytes are, which have to outlive it; null where they are none.
 SqliteDatabase databaseIn(std::string& bytes);
 
+/// To read the file, which is left as it is; null where it cannot be opened.
+SqliteDatabase databaseAt(const std::string& path);
+
 /// Null where the database is, or does not understand the text.
 SqliteStatement prepared(sqlite3* database, const char* text);
 

@@ -1,5 +1,6 @@
 #include "planner/io/plan_files/plan_json.h"
 
+#include "planner/core/json_text.h"
 #include "planner/io/files/file_folder.h"
 
 #include <utility>
@@ -43,11 +44,14 @@ Result<Json> planJson(const std::filesystem::path& path) {
     if (!text) {
         return std::unexpected(text.error());
     }
-    try {
-        return Json::parse(*text);
-    } catch (const Json::parse_error& error) {
-        return std::unexpected(damagedPlan(path.string(), message("it is not JSON (byte {})", error.byte)));
+    auto json = readJson<Json>(*text);
+    if (!json) {
+        const JsonFault& fault = json.error();
+        return std::unexpected(damagedPlan(
+            fault.place.empty() ? Message{path.string()} : message("{}, {}", path.string(), fault.place),
+            fault.what));
     }
+    return *std::move(json);
 }
 
 Result<LocalFrame> planFrame(const Json& summary, const std::filesystem::path& path) {

@@ -1,11 +1,10 @@
 #include "planner/io/plan_files/settings_file.h"
 
+#include "planner/core/json_text.h"
+#include "planner/core/text_file.h"
 #include "planner/plan/method_registry.h"
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
-#include <iterator>
 
 namespace furrow {
 
@@ -17,7 +16,7 @@ using Json = nlohmann::ordered_json;
 std::string dividedByCommas(const Json& list) {
     std::string text;
     for (const Json& entry : list) {
-        text += (text.empty() ? "" : ",") + entry.dump();
+        text += (text.empty() ? "" : ",") + entry.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
     return text;
 }
@@ -69,31 +68,28 @@ Result<void> applyObject(Settings& settings, const std::string& prefix, const Js
 }  // namespace
 
 Result<void> applySettingsJson(Settings& settings, std::string_view json, std::string_view origin) {
-    const auto refused = [&](Message what) {
+    const auto parsed = readJson<Json>(json, JsonKeys::Unique);
+    if (!parsed) {
+        const JsonFault& fault = parsed.error();
+        return std::unexpected(
+            Error{.code = ErrorCode::InputRefused,
+                  .what = fault.what,
+                  .where = fault.place.empty() ? Message{origin} : message("{}, {}", origin, fault.place),
+                  .remedy = fault.remedy});
+    }
+    if (!parsed->is_object()) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
-                                     .what = std::move(what),
+                                     .what = "it is not a JSON object",
                                      .where = std::string{origin},
                                      .remedy = "give a JSON object such as {\"headland.width_m\": 12}"});
-    };
-    try {
-        const Json parsed = Json::parse(json);
-        return parsed.is_object() ? applyObject(settings, "", parsed, origin)
-                                  : refused("it is not a JSON object");
-    } catch (const Json::parse_error& error) {
-        return refused(message("it is not JSON (byte {})", error.byte));
     }
+    return applyObject(settings, "", *parsed, origin);
 }
 
 Result<void> applySettingsFile(Settings& settings, const std::filesystem::path& path) {
-    std::ifstream file{path, std::ios::binary};
-    const std::string text{std::istreambuf_iterator<char>{file}, {}};
-    if (!file && text.empty()) {
-        return std::unexpected(Error{.code = ErrorCode::ReadFailed,
-                                     .what = "the file could not be read",
-                                     .where = path.string(),
-                                     .remedy = "check its name and that you may read it"});
-    }
-    return applySettingsJson(settings, text, path.string());
+    return writtenText(path, "give a JSON file of settings").and_then([&](const std::string& text) {
+        return applySettingsJson(settings, text, path.string());
+    });
 }
 
 }  // namespace furrow

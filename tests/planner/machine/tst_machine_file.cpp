@@ -167,6 +167,46 @@ void TestMachineFile::refuses_data() {
                                         << "missing";
     QTest::newRow("width below zero") << R"({"operating_width_m": -3, "min_turning_radius_m": 5})"
                                       << "operating_width_m" << "-3";
+    const auto with = [](const char* member) {
+        return QString{R"({"operating_width_m": 3, "min_turning_radius_m": 5, %1})"}.arg(
+            QString::fromUtf8(member));
+    };
+    QTest::newRow("raised width of kilometres")
+        << with(R"("raised_width_m": 1e4)") << "raised_width_m" << "did you mean 10 m?";
+    QTest::newRow("far to the side") << with(R"("implement_lateral_offset_m": -1e5)")
+                                     << "implement_lateral_offset_m" << "give a number from -50 to 50 m";
+    QTest::newRow("run-in of kilometres") << with(R"("run_in_m": 1e5)") << "run_in_m" << "100000 m";
+    QTest::newRow("radius of kilometres")
+        << R"({"operating_width_m": 3, "min_turning_radius_m": 1e6})" << "min_turning_radius_m"
+        << "give a number from 0.05 to 200 m";
+    QTest::newRow("width of micrometres") << R"({"operating_width_m": 1e-6, "min_turning_radius_m": 5})"
+                                          << "operating_width_m" << "give a number from 0.05 to 100 m";
+    QTest::newRow("width in millimetres") << R"({"operating_width_m": 7500, "min_turning_radius_m": 5})"
+                                          << "operating_width_m" << "did you mean 7.5 m?";
+    QTest::newRow("width in centimetres") << R"({"operating_width_m": 750, "min_turning_radius_m": 5})"
+                                          << "operating_width_m" << "did you mean 7.5 m?";
+    QTest::newRow("wheelbase in millimetres") << with(R"("wheelbase_m": 2700)") << "wheelbase_m"
+                                              << "did you mean 2.7 m?";
+    QTest::newRow("offset in centimetres") << with(R"("implement_offset_m": -360)") << "implement_offset_m"
+                                           << "did you mean -3.6 m?";
+    QTest::newRow("speed in km/h") << with(R"("transfer_speed_mps": 40)") << "transfer_speed_mps"
+                                   << "did you mean 11.1111 m/s?";
+    QTest::newRow("no speed") << with(R"("working_speed_mps": 1e-308)") << "working_speed_mps"
+                              << "1e-308 m/s";
+    QTest::newRow("less than an empty tank") << with(R"("tank_capacity": -5)") << "tank_capacity" << "-5";
+    QTest::newRow("fuel that is made") << with(R"("fuel_working_lph": -5)") << "fuel_working_lph" << "-5 l/h";
+    QTest::newRow("hitch angle below zero") << with(R"("max_hitch_angle_deg": -5)") << "max_hitch_angle_deg"
+                                            << "-5°";
+    QTest::newRow("steering angle that hardly steers")
+        << R"({"operating_width_m": 3, "max_steering_angle_deg": 0.5, "wheelbase_m": 3})"
+        << "max_steering_angle_deg" << "a turning radius of 343.77 m";
+    QTest::newRow("200,000 brackets for a value")
+        << with((R"("tank_capacity": )" + std::string(100000, '[') + std::string(100000, ']')).c_str())
+        << "m.json, line 1" << "too deep";
+    QTest::newRow("an object behind 100 brackets")
+        << with((R"("tank_capacity": )" + std::string(100, '[') + "{\"a\": 1}" + std::string(100, ']'))
+                    .c_str())
+        << "m.json, line 1" << "too deep";
     QTest::newRow("neither radius nor steering angle")
         << R"({"operating_width_m": 3})" << "min_turning_radius_m" << "max_steering_angle_deg";
 }

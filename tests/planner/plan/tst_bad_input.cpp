@@ -221,12 +221,12 @@ private slots:
             MachineSpec spec = agbot().spec();
             spec.implement.operatingWidth = metres(value);
             QTest::addRow("operating width %g", value)
-                << Planned{[spec] { return plan(square(), spec); }} << "cannot be worked with"
+                << Planned{[spec] { return plan(square(), spec); }} << "is beyond what machines have"
                 << "machine, operating_width_m" << kNoPlace;
             spec = agbot().spec();
             spec.tractor.minTurningRadius = metres(value);
             QTest::addRow("turning radius %g", value)
-                << Planned{[spec] { return plan(square(), spec); }} << "cannot be worked with"
+                << Planned{[spec] { return plan(square(), spec); }} << "is beyond what machines have"
                 << "machine, min_turning_radius_m" << kNoPlace;
         }
     }

@@ -207,6 +207,10 @@ private slots:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("what");
         QTest::newRow("no JSON") << QByteArray{"{\"type\": \"FeatureColl"} << QByteArray{"damaged"};
+        QTest::newRow("200,000 brackets")
+            << QByteArray{R"({"furrow_project": {"format_version": 1}, "features": [], "mine": )"} +
+                   QByteArray(100'000, '[') + QByteArray(100'000, ']') + "}"
+            << QByteArray{"too deep in one another here (line 1"};
         QTest::newRow("a boundary") << QByteArray{R"({"type": "FeatureCollection", "features": []})"}
                                     << QByteArray{"not a project"};
         QTest::newRow("newer")

@@ -300,8 +300,9 @@ private slots:
         QTest::addColumn<QString>("where");
         QTest::newRow("overlap of the whole width") << 2.5 << "2.5" << 100.0 << "swaths.overlap_m";
         QTest::newRow("overlap of more than the width") << 2.5 << "3" << 100.0 << "swaths.overlap_m";
-        QTest::newRow("over a million tracks") << 0.001 << "0" << 2000.0 << "operating_width_m";
-        QTest::newRow("over a million tracks by overlap") << 2.5 << "2.4999" << 2000.0 << "operating_width_m";
+        QTest::newRow("over ten thousand tracks") << 0.1 << "0" << 2000.0 << "operating_width_m";
+        QTest::newRow("over ten thousand tracks by overlap")
+            << 2.5 << "2.4999" << 2000.0 << "operating_width_m";
         QTest::newRow("no mainland") << 2.5 << "0" << 0.0 << "swaths";
     }
     void refuses() {

@@ -1,3 +1,4 @@
+#include "planner/swaths/heading_search.h"
 #include "planner/swaths/scan_line.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -471,10 +472,15 @@ private slots:
         }
     }
 
+    // 2,828 m from corner to corner.
     void tooManyTracks() {
-        QVERIFY((ScanLine{{test::rectangle(2000.0, 2000.0)}, spacing(0.001)}.tooManyTracks()));
-        QVERIFY((!ScanLine{{test::rectangle(2000.0, 2000.0)}, spacing(0.5)}.tooManyTracks()));
-        QVERIFY((ScanLine{{test::rectangle(2000.0, 2000.0)}, spacing(2.5, 2.4999)}.tooManyTracks()));
+        const ScanLine scanLine{{test::rectangle(2000.0, 2000.0)}, spacing(0.5)};
+        COMPARE_WITHIN(scanLine.diameter().si(), 2828.427, 1e-3);
+        QVERIFY(checkTrackCount(spacing(0.5), scanLine.diameter()).has_value());
+        const auto narrow = checkTrackCount(spacing(0.1), scanLine.diameter());
+        QVERIFY(!narrow.has_value());
+        QVERIFY2(narrow.error().what.contains("gives 28284 swaths"), narrow.error().line().c_str());
+        QVERIFY(!checkTrackCount(spacing(2.5, 2.4999), scanLine.diameter()).has_value());
     }
 
     void nothingInNothingOut() {

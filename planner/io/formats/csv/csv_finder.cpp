@@ -73,7 +73,7 @@ void readBoundaries(std::string_view text, ReceivedContent& found) {
         }
         for (GeoPolygon& polygon : polygons) {
             found.areas.push_back({.kind = ReceivedArea::Kind::Field,
-                                   .name = cells[1],
+                                   .name = std::string{fromPlainCell(cells[1])},
                                    .rings = std::move(polygon),
                                    .statedM2 = std::nullopt});
         }

@@ -1,5 +1,6 @@
 #include "planner/io/formats/csv/csv.h"
 
+#include "planner/core/separated_text.h"
 #include "planner/io/formats/csv/path_csv.h"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ std::string fieldsCsv(const ExportJob& job) {
             wkt += (wkt.empty() ? "" : ", ") + polygonText(part);
         }
         wkt = parts.size() == 1 ? "POLYGON " + wkt : "MULTIPOLYGON (" + wkt + ")";
-        text += quoted(content.field.id) + "," + quoted(content.field.name) + "," + quoted(wkt) + "\n";
+        text += quoted(asPlainCell(content.field.id)) + "," + quoted(asPlainCell(content.field.name)) + "," +
+                quoted(wkt) + "\n";
     }
     return text;
 }

@@ -1,5 +1,6 @@
 #include "planner/io/formats/geojson/geojson.h"
 
+#include "planner/core/json_text.h"
 #include "planner/io/files/json_values.h"
 
 #include <nlohmann/json.hpp>
@@ -34,7 +35,7 @@ GeoPolygon polygonOf(const json& rings) {
 
 class FeatureContent {
 public:
-    FeatureContent(const ExportJob& job, ReceivedContent& found) : job_{job}, found_{found} {}
+    explicit FeatureContent(ReceivedContent& found) : found_{found} {}
 
     void take(const json& document) {
         if (textOf(memberOf(document, "type")) != "FeatureCollection" ||
@@ -106,7 +107,6 @@ private:
         return value.is_number_integer() ? value.get<std::int64_t>() : -1;
     }
 
-    const ExportJob& job_;
     ReceivedContent& found_;
     ReceivedNumbers segments_;
     ReceivedNumbers swaths_;
@@ -115,17 +115,17 @@ private:
 
 }  // namespace
 
-std::vector<ReceivedContent> findGeoJson(std::span<const FileInMemory> files, const ExportJob& job) {
+std::vector<ReceivedContent> findGeoJson(std::span<const FileInMemory> files, const ExportJob&) {
     std::vector<ReceivedContent> all;
     for (const FileInMemory& file : files) {
         ReceivedContent& found = all.emplace_back(
             ReceivedContent{.file = file.path, .winding = ReceivedContent::Winding::OuterLeft});
-        const json document = json::parse(file.bytes, nullptr, false);
+        const json document = jsonOrDiscarded<json>(file.bytes);
         if (document.is_discarded()) {
             found.faults.push_back(isNot("JSON"));
             continue;
         }
-        FeatureContent{job, found}.take(document);
+        FeatureContent{found}.take(document);
     }
     return all;
 }

@@ -26,16 +26,20 @@ const FileFolder::Entry* entryOf(const ChosenFile& chosen) {
 
 Result<ImportedFields> readIsoxmlFolder(const FileFolder& folder, const FileFolder::Entry& main,
                                         const JobContext& job) {
-    const auto text = folder.read(main);
+    const auto text = folder.readText(main, kLargestFieldXml);
     if (!text) {
         return std::unexpected(text.error());
     }
+    // All parts are taken apart at once.
+    std::size_t left = kLargestFieldXml - text->size();
     const auto part = [&](const std::string& name) -> Result<std::string> {
         const FileFolder::Entry* entry = folder.find(main.folder, name + ".xml");
         if (entry == nullptr) {
             return std::unexpected(readFailed(name, "its file is missing", "copy the whole folder"));
         }
-        return folder.read(*entry);
+        auto read = folder.readText(*entry, left);
+        left -= read ? read->size() : 0;
+        return read;
     };
     auto read = readIsoxml(*text, folder.placeOf(main), part, job);
     if (const FileFolder::Entry* list = read ? folder.find(main.folder, "linklist.xml") : nullptr) {

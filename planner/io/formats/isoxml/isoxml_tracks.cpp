@@ -255,10 +255,28 @@ std::map<std::string, std::string> taskNames(const FileFolder& folder, std::stri
     return names;
 }
 
-bool isLogHeader(const FileFolder::Entry& entry) {
+std::string stemOf(const FileFolder::Entry& entry) {
+    return entry.name.substr(0, entry.name.size() - std::string_view{".xml"}.size());
+}
+
+/// TLG and five digits, as the norm has it.
+bool hasLogName(const FileFolder::Entry& entry) {
     const std::string name = inSmallLetters(entry.name);
     return name.size() == 12 && name.starts_with("tlg") && name.ends_with(".xml") &&
            std::all_of(name.begin() + 3, name.begin() + 8, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// By its name, or by what it is where it has another one: a description with records of its name beside it.
+bool isLogHeader(const FileFolder& folder, const FileFolder::Entry& entry) {
+    if (hasLogName(entry)) {
+        return true;
+    }
+    if (!inSmallLetters(entry.name).ends_with(".xml") ||
+        folder.find(entry.folder, stemOf(entry) + ".bin") == nullptr) {
+        return false;
+    }
+    const auto xml = folder.read(entry);
+    return xml && headerFrom(*xml, {}).has_value();
 }
 
 }  // namespace
@@ -269,11 +287,11 @@ Result<TrackFile> isoxmlTracks(const FileFolder& folder, const std::string& wher
     std::size_t logs = 0;
     std::map<std::string, std::map<std::string, std::string>> tasksByFolder;
     for (const FileFolder::Entry& entry : folder.entries()) {
-        if (!isLogHeader(entry)) {
+        if (!isLogHeader(folder, entry)) {
             continue;
         }
         ++logs;
-        const std::string stem = entry.name.substr(0, 8);
+        const std::string stem = stemOf(entry);
         const FileFolder::Entry* records = folder.find(entry.folder, stem + ".bin");
         if (records == nullptr) {
             file.notes.push_back({.text = std::format("{}.bin is not there", stem), .where = where});

@@ -1,3 +1,4 @@
+#include "planner/core/json_text.h"
 #include "planner/io/content/geo_ring.h"
 #include "planner/io/formats/logs/logs.h"
 
@@ -75,7 +76,7 @@ Result<TrackFile> gpsdTracks(std::string_view text, const std::string& where, co
         if (!line.starts_with('{')) {
             continue;
         }
-        const Json report = Json::parse(line, nullptr, false);
+        const Json report = jsonOrDiscarded<Json>(line);
         if (!report.is_object()) {
             ++damaged;
             continue;

@@ -6,7 +6,7 @@ namespace furrow {
 
 Recognition recogniseLog(const ChosenFile& chosen) {
     const bool known = chosen.isPlainText() && (looksLikeGpsd(chosen.text()) || looksLikeNmea(chosen.text()));
-    return known ? Recognition::Likely : Recognition::No;
+    return known || holdsNmea(chosen.text()) ? Recognition::Likely : Recognition::No;
 }
 
 Result<TrackFile> readLog(const ChosenFile& chosen, const JobContext& job) {

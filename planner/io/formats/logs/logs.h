@@ -18,5 +18,7 @@ Result<TrackFile> nmeaTracks(std::string_view text, const std::string& where, co
 /// Whether the text looks like one of these, told by its first kilobytes.
 bool looksLikeGpsd(std::string_view start);
 bool looksLikeNmea(std::string_view start);
+/// Whether there is a position among its bytes whose checksum is right, whatever stands before it.
+bool holdsNmea(std::string_view start);
 
 }  // namespace furrow

@@ -22,7 +22,8 @@ using Fields = std::vector<std::string_view>;
 
 /// What stands between '$' and '*', where its checksum is right; sentences without one are taken.
 std::optional<std::string_view> sentenceIn(std::string_view line, bool& damaged) {
-    const std::size_t begin = line.find('$');
+    // The last one: the logger's own bytes before it may hold others.
+    const std::size_t begin = line.rfind('$');
     if (begin == std::string_view::npos) {
         return std::nullopt;
     }
@@ -142,11 +143,25 @@ void countDays(std::vector<TrackSample>& samples) {
 
 }  // namespace
 
+bool holdsNmea(std::string_view start) {
+    Lines lines{start};
+    std::string_view line;
+    while (lines.next(line)) {
+        bool damaged = false;
+        const auto sentence = line.contains('*') ? sentenceIn(line, damaged) : std::nullopt;
+        if (sentence &&
+            (sentence->substr(0, 6).ends_with("RMC,") || sentence->substr(0, 6).ends_with("GGA,"))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool looksLikeNmea(std::string_view start) {
     Lines lines{start};
     std::string_view line;
     while (lines.next(line)) {
-        const std::size_t at = line.find('$');
+        const std::size_t at = line.rfind('$');
         // "$GPRMC,", "$GNGGA,", but also a time stamp of the logger before it.
         if (at != std::string_view::npos && line.size() > at + 6 && line[at + 6] == ',') {
             return true;

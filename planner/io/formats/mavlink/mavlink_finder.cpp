@@ -1,5 +1,6 @@
 #include "planner/io/formats/mavlink/mavlink.h"
 
+#include "planner/core/json_text.h"
 #include "planner/core/separated_text.h"
 #include "planner/core/text.h"
 #include "planner/io/files/json_values.h"
@@ -112,7 +113,7 @@ std::vector<ReceivedContent> findGroundStationPlan(std::span<const FileInMemory>
     std::vector<ReceivedContent> all;
     for (const FileInMemory& file : files) {
         ReceivedContent& found = all.emplace_back(ReceivedContent{.file = file.path, .repeatsFirst = false});
-        const json document = json::parse(file.bytes, nullptr, false);
+        const json document = jsonOrDiscarded<json>(file.bytes);
         if (document.is_discarded() || textOf(memberOf(document, "fileType")) != "Plan") {
             found.faults.push_back(isNot("QGroundControl plan"));
             continue;

@@ -6,7 +6,6 @@
 #include "planner/io/files/file_names.h"
 #include "planner/io/formats/shapefile/owner.h"
 
-#include <chrono>
 #include <format>
 #include <utility>
 
@@ -69,8 +68,8 @@ VectorLayer agGpsSwaths(const FieldContent& content, const std::string& date) {
 }  // namespace
 
 Result<FormatFiles> writeAgGps(const ExportJob& job) {
-    const auto today = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
-    const std::string date = std::format("{:%Y%m%d}", today);
+    // The same plan gives the same bytes.
+    const std::string date = "20000101";
     FormatFiles made;
     UniqueNames names{kLongestAgGpsName, true};
     for (const FieldContent& content : job.fields) {

@@ -293,7 +293,7 @@ private slots:
         for (const char* name : {"t.zip", "t.kmz"}) {
             const auto read = readFields(scratch.write(name, *zip));
             QVERIFY2(!read, name);
-            QVERIFY2(read.error().what.contains("thousandfold"), read.error().line().c_str());
+            QVERIFY2(read.error().what.contains("hundredfold"), read.error().line().c_str());
         }
     }
 
@@ -306,7 +306,9 @@ private slots:
         QTest::newRow("absolute") << QByteArray{"/etc"} << "_etc";
         QTest::newRow("a drive") << QByteArray{"C:\\x"} << "C__x";
         QTest::newRow("a device") << QByteArray{"CON"} << "CON_";
-        QTest::newRow("a device with an ending") << QByteArray{"com1.txt"} << "com1.txt_";
+        QTest::newRow("a device with an ending") << QByteArray{"com1.txt"} << "com1_.txt";
+        QTest::newRow("no device") << QByteArray{"nul.txt"} << "nul_.txt";
+        QTest::newRow("a device and a blank") << QByteArray{"nul .txt"} << "nul _.txt";
         QTest::newRow("control characters") << QByteArray{"a\nb"} << "a_b";
         QTest::newRow("empty") << QByteArray{} << "Field";
         QTest::newRow("umlauts") << QByteArray{"Höhe"} << QString::fromUtf8("Höhe");

@@ -120,6 +120,13 @@ void addTexts() {
         "f.wkt, line 2, column 1: this is not well-known text");
     row("metres without a system", "f.wkt", "POLYGON((500000 5761000, 500100 5761000, 500000 5761100))",
         false, "500000.000, 5761000.000 is no longitude and latitude");
+    row("unknown system of a GML", "f.gml",
+        R"(<?xml version="1.0"?><gml:FeatureCollection xmlns:gml="http://www.opengis.net/gml" xmlns:x="x">)"
+        R"(<gml:featureMember><x:f><x:geom><gml:Polygon srsName="EPSG:99999"><gml:outerBoundaryIs>)"
+        R"(<gml:LinearRing><gml:coordinates>9,51 9.003,51 9.003,51.003 9,51.003 9,51</gml:coordinates>)"
+        R"(</gml:LinearRing></gml:outerBoundaryIs></gml:Polygon></x:geom></x:f></gml:featureMember>)"
+        R"(</gml:FeatureCollection>)",
+        false, "the coordinate system that it names is not known");
     row("unknown system", "f.wkt", "SRID=999999;POLYGON((9 52, 9.1 52, 9 52.1))", false, "SRID=");
     row("table without coordinates", "f.csv", "name,area\nA,5\nB,6\n", false,
         "neither a column WKT nor columns lon and lat");

@@ -36,6 +36,8 @@ private slots:
     void segmentsAreTracksOfTheirOwn();
     void logWithoutDateCountsOverMidnight();
     void logsOfOtherFoldersStayOut();
+    void logsOfOtherNames();
+    void junkBeforeTheFirstSentence();
     void cancelled();
     void realRecordings_data();
     void realRecordings();
@@ -249,6 +251,43 @@ void TestTrackReader::logsOfOtherFoldersStayOut() {
     QVERIFY(one);
     QCOMPARE(one->tracks.size(), std::size_t{1});
     QCOMPARE(one->notes.front().text, std::string{"TLG00001.bin is not there"});
+}
+
+// Makers name them as they like; what tells is the header with its records beside it.
+void TestTrackReader::logsOfOtherNames() {
+    for (const char* name : {"TLG1", "tlg000012", "Log 3", "A7"}) {
+        const QTemporaryDir folder;
+        const auto bytes = [](const char* file) {
+            return bytesOf(sample(QString{"isoxml/TASKDATA/"} + file));
+        };
+        written(folder, "TASKDATA.XML", bytes("TASKDATA.XML"));
+        written(folder, QString{name} + ".xml", bytes("TLG00001.XML"));
+        written(folder, QString{name} + ".BIN", bytes("TLG00001.BIN"));
+        // Neither is a log.
+        written(folder, "GRD00001.bin", bytes("TLG00001.BIN"));
+        written(folder, "GRD00001.xml", "<ISO11783_TaskData/>");
+        const auto read = readTracks(pathOf(folder.path()));
+        QVERIFY2(read, read ? "" : read.error().line().c_str());
+        QCOMPARE(read->tracks.size(), std::size_t{1});
+        QVERIFY(read->tracks.front().source.contains(name));
+    }
+}
+
+// A receiver that is switched on sends what is left in its memory first.
+void TestTrackReader::junkBeforeTheFirstSentence() {
+    const QTemporaryDir folder;
+    QByteArray junk;
+    for (int i = 0; i < 1500; ++i) {
+        junk += static_cast<char>(i * 37 % 256);
+    }
+    const auto plain = readTracks(pathOf(sample("corners_nmea.log")));
+    QVERIFY(plain);
+    const auto read =
+        readTracks(pathOf(written(folder, "night.log", junk + bytesOf(sample("corners_nmea.log")))));
+    QVERIFY2(read, read ? "" : read.error().line().c_str());
+    QCOMPARE(read->format, std::string{"NMEA log"});
+    QCOMPARE(read->sampleCount(), plain->sampleCount());
+    QVERIFY(!readTracks(pathOf(written(folder, "junk.log", junk))));
 }
 
 void TestTrackReader::cancelled() {
