@@ -1692,7 +1692,7 @@
     </message>
     <message>
         <source>Wheel passes</source>
-        <translation>Überfahrten</translation>
+        <translation>Radspuren</translation>
     </message>
     <message>
         <source>Swath numbers</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation>Nach der Innenfläche</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation>Vor der Innenfläche</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -2860,7 +2860,7 @@
     </message>
     <message>
         <source>Hitch offset</source>
-        <translation>Lage der Anhängung</translation>
+        <translation>Lage des Anhängepunkts</translation>
     </message>
     <message>
         <source>Home Field</source>
@@ -3188,7 +3188,7 @@
     </message>
     <message>
         <source>Racetrack</source>
-        <translation>Rundkurs</translation>
+        <translation>Rundherum</translation>
     </message>
     <message>
         <source>Raised width</source>
@@ -3252,7 +3252,7 @@
     </message>
     <message>
         <source>Run-in</source>
-        <translation>Einlauf</translation>
+        <translation>Anlaufstrecke</translation>
     </message>
     <message>
         <source>Same width all round</source>
@@ -3704,7 +3704,7 @@
     </message>
     <message>
         <source>Transfer speed</source>
-        <translation>Überfahrtgeschwindigkeit</translation>
+        <translation>Fahrgeschwindigkeit ohne Arbeit</translation>
     </message>
     <message>
         <source>Transport width</source>
@@ -5662,7 +5662,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zur Innenfläche</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -5690,7 +5690,7 @@
     </message>
     <message>
         <source>The quickest</source>
-        <translation>Das schnellste</translation>
+        <translation>Die schnellste</translation>
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
@@ -6112,7 +6112,7 @@
     </message>
     <message>
         <source>bulb turn</source>
-        <translation>Birnenwende</translation>
+        <translation>Omega-Wendung</translation>
     </message>
     <message>
         <source>by this estimate %1 would save %2</source>
@@ -6164,7 +6164,7 @@
     </message>
     <message>
         <source>turn with reversing</source>
-        <translation>Wende mit Rückwärtsfahrt</translation>
+        <translation>Wendung mit Rückwärtsfahrt</translation>
     </message>
     <message>
         <source>way straight on</source>
@@ -6172,7 +6172,7 @@
     </message>
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
-        <translation>%1 werden mit ausgehobenem Gerät über das Feld gefahren; am längsten: %2.</translation>
+        <translation>%1 werden mit ausgehobenem Gerät über den Schlag gefahren; am längsten: %2.</translation>
     </message>
     <message>
         <source>%1 for each swath gives %2 swaths, and no plan may have more than %3</source>
@@ -7376,7 +7376,7 @@
     </message>
     <message>
         <source>mends the plan</source>
-        <translation>macht ihn fahrbar</translation>
+        <translation>macht den Plan fahrbar</translation>
     </message>
     <message>
         <source>the same time</source>
@@ -7916,7 +7916,7 @@
     </message>
     <message>
         <source>Outside the field</source>
-        <translation>Außerhalb des Felds</translation>
+        <translation>Außerhalb des Schlags</translation>
     </message>
     <message>
         <source>Ground outside that the machine or its implement drives over</source>
@@ -8677,7 +8677,7 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>bewiesen die beste</translation>
+        <translation>nachweislich die beste</translation>
     </message>
     <message>
         <source>turns within %1 of the best</source>

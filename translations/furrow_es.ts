@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation>Después del interior</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation>Antes del interior</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -3252,7 +3252,7 @@
     </message>
     <message>
         <source>Run-in</source>
-        <translation>Carrera de entrada</translation>
+        <translation>Tramo de entrada</translation>
     </message>
     <message>
         <source>Same width all round</source>
@@ -3332,7 +3332,7 @@
     </message>
     <message>
         <source>Snake</source>
-        <translation>Serpiente</translation>
+        <translation>Serpentina</translation>
     </message>
     <message>
         <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
@@ -3808,7 +3808,7 @@
     </message>
     <message>
         <source>Wheelbase</source>
-        <translation>Batalla</translation>
+        <translation>Distancia entre ejes</translation>
     </message>
     <message>
         <source>When</source>
@@ -5592,7 +5592,7 @@
     </message>
     <message>
         <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>la línea de corte %1 termina %2 antes de la cabecera y ahí no separa nada (decomposition.split); trácela de lado a lado</translation>
+        <translation>la línea de división %1 termina %2 antes de la cabecera y ahí no separa nada (decomposition.split); trácela de lado a lado</translation>
     </message>
     <message>
         <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
@@ -5662,7 +5662,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es interior de la parcela</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -7577,7 +7577,7 @@
     </message>
     <message>
         <source>Out of date</source>
-        <translation>Desfasado</translation>
+        <translation>Desactualizado</translation>
     </message>
     <message>
         <source>Waits</source>
@@ -7589,7 +7589,7 @@
     </message>
     <message>
         <source>Drivable</source>
-        <translation>Transitable</translation>
+        <translation>Realizable</translation>
     </message>
     <message numerus="yes">
         <source>%n problem(s)</source>

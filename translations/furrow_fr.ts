@@ -855,7 +855,7 @@
     </message>
     <message>
         <source>Draw it</source>
-        <translation>Le dessiner</translation>
+        <translation>La dessiner</translation>
     </message>
     <message>
         <source>Or try one of these</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation>Après le plein champ</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation>Avant le plein champ</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -3192,7 +3192,7 @@
     </message>
     <message>
         <source>Raised width</source>
-        <translation>Largeur relevé</translation>
+        <translation>Largeur outil relevé</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -5592,11 +5592,11 @@
     </message>
     <message>
         <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>la ligne de découpe %1 s&apos;arrête %2 avant la fourrière et n&apos;y découpe rien (decomposition.split) ; tracez-la de part en part</translation>
+        <translation>la ligne de partage %1 s&apos;arrête %2 avant la fourrière et n&apos;y découpe rien (decomposition.split) ; tracez-la de part en part</translation>
     </message>
     <message>
         <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
-        <translation>la ligne de découpe %1 est hors du plein champ et ne découpe rien (decomposition.split)</translation>
+        <translation>la ligne de partage %1 est hors du plein champ et ne découpe rien (decomposition.split)</translation>
     </message>
     <message numerus="yes">
         <source>%n swaths shorter than %1 are left out</source>
@@ -5662,7 +5662,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste fait partie du plein champ</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -7029,7 +7029,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Couvert</translation>
+        <translation>Travaillé</translation>
     </message>
     <message>
         <source>Worked twice</source>
@@ -7288,7 +7288,7 @@
     </message>
     <message>
         <source>Field</source>
-        <translation>Champ</translation>
+        <translation>Parcelle</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -7478,7 +7478,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Couvert</translation>
+        <translation>Travaillé</translation>
     </message>
     <message>
         <source>As if the implement ran in the middle of the recorded line</source>
@@ -7912,7 +7912,7 @@
     </message>
     <message>
         <source>Missed</source>
-        <translation>Manqué</translation>
+        <translation>Non travaillé</translation>
     </message>
     <message>
         <source>Outside the field</source>
@@ -8162,7 +8162,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Couvert</translation>
+        <translation>Travaillé</translation>
     </message>
     <message>
         <source>Missed</source>

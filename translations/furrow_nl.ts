@@ -425,7 +425,7 @@
     </message>
     <message>
         <source>Drive-through bar</source>
-        <translation>Afrijbalk</translation>
+        <translation>Balk om af te rijden</translation>
     </message>
     <message>
         <source>drive play slider</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation>Na de binnenakker</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation>Vóór de binnenakker</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -3104,7 +3104,7 @@
     </message>
     <message>
         <source>Only where it turns</source>
-        <translation>Alleen waar wordt gedraaid</translation>
+        <translation>Alleen waar gekeerd wordt</translation>
     </message>
     <message>
         <source>Operating width</source>
@@ -3192,7 +3192,7 @@
     </message>
     <message>
         <source>Raised width</source>
-        <translation>Breedte geheven</translation>
+        <translation>Breedte bij het keren</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -3200,7 +3200,7 @@
     </message>
     <message>
         <source>Rear overhang</source>
-        <translation>Achteroverbouw</translation>
+        <translation>Overbouw achter</translation>
     </message>
     <message>
         <source>Recorded path</source>
@@ -3704,7 +3704,7 @@
     </message>
     <message>
         <source>Transfer speed</source>
-        <translation>Verplaatssnelheid</translation>
+        <translation>Rijsnelheid zonder werk</translation>
     </message>
     <message>
         <source>Transport width</source>
@@ -3724,7 +3724,7 @@
     </message>
     <message>
         <source>Turning speed</source>
-        <translation>Draaisnelheid</translation>
+        <translation>Snelheid bij het keren</translation>
     </message>
     <message>
         <source>Turns</source>
@@ -5592,11 +5592,11 @@
     </message>
     <message>
         <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>scheidingslijn %1 eindigt %2 voor de kopakker en snijdt daar niets af (decomposition.split); trek haar helemaal door</translation>
+        <translation>splitlijn %1 eindigt %2 voor de kopakker en snijdt daar niets af (decomposition.split); trek haar helemaal door</translation>
     </message>
     <message>
         <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
-        <translation>deellijn %1 ligt buiten de binnenakker en deelt niets (decomposition.split)</translation>
+        <translation>splitlijn %1 ligt buiten de binnenakker en deelt niets (decomposition.split)</translation>
     </message>
     <message numerus="yes">
         <source>%n swaths shorter than %1 are left out</source>
@@ -5662,7 +5662,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest hoort bij de binnenakker</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -5690,7 +5690,7 @@
     </message>
     <message>
         <source>The quickest</source>
-        <translation>Het snelste</translation>
+        <translation>De snelste</translation>
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
@@ -6112,7 +6112,7 @@
     </message>
     <message>
         <source>bulb turn</source>
-        <translation>omegabocht</translation>
+        <translation>omegadraai</translation>
     </message>
     <message>
         <source>by this estimate %1 would save %2</source>
@@ -7376,7 +7376,7 @@
     </message>
     <message>
         <source>mends the plan</source>
-        <translation>maakt hem rijdbaar</translation>
+        <translation>maakt het plan rijdbaar</translation>
     </message>
     <message>
         <source>the same time</source>
@@ -8677,7 +8677,7 @@
     </message>
     <message>
         <source>proved: no order is better</source>
-        <translation>bewezen de beste</translation>
+        <translation>aantoonbaar de beste</translation>
     </message>
     <message>
         <source>turns within %1 of the best</source>

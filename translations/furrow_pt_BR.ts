@@ -564,7 +564,7 @@
     </message>
     <message>
         <source>Saved</source>
-        <translation>Poupado</translation>
+        <translation>Economizado</translation>
     </message>
     <message>
         <source>Time of the best plan during the search</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation>Depois do interior</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation>Antes do interior</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -3192,7 +3192,7 @@
     </message>
     <message>
         <source>Raised width</source>
-        <translation>Largura levantado</translation>
+        <translation>Largura com o implemento levantado</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -3252,7 +3252,7 @@
     </message>
     <message>
         <source>Run-in</source>
-        <translation>Aproximação</translation>
+        <translation>Distância de aproximação</translation>
     </message>
     <message>
         <source>Same width all round</source>
@@ -3444,7 +3444,7 @@
     </message>
     <message>
         <source>Tank or bunker</source>
-        <translation>Tanque ou depósito</translation>
+        <translation>Tanque ou graneleiro</translation>
     </message>
     <message>
         <source>The Bend</source>
@@ -5662,7 +5662,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura, e o resto é interior do talhão</translation>
+        <translation type="unfinished"/>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -5690,7 +5690,7 @@
     </message>
     <message>
         <source>The quickest</source>
-        <translation>O mais rápido</translation>
+        <translation>A mais rápida</translation>
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
@@ -5830,7 +5830,7 @@
     </message>
     <message>
         <source>Saves</source>
-        <translation>Poupa</translation>
+        <translation>Economiza</translation>
     </message>
     <message>
         <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
@@ -7273,7 +7273,7 @@
     </message>
     <message>
         <source>Farm</source>
-        <translation>Propriedade</translation>
+        <translation>Fazenda</translation>
     </message>
     <message>
         <source>Work orders</source>
@@ -7372,7 +7372,7 @@
     <name>furrow::ChoiceTableModel</name>
     <message>
         <source>saves %1</source>
-        <translation>poupa %1</translation>
+        <translation>economiza %1</translation>
     </message>
     <message>
         <source>mends the plan</source>
@@ -7589,7 +7589,7 @@
     </message>
     <message>
         <source>Drivable</source>
-        <translation>Percorrível</translation>
+        <translation>Executável</translation>
     </message>
     <message numerus="yes">
         <source>%n problem(s)</source>
@@ -8356,7 +8356,7 @@
     </message>
     <message>
         <source>Farm</source>
-        <translation>Propriedade</translation>
+        <translation>Fazenda</translation>
     </message>
     <message>
         <source>%1: %2</source>

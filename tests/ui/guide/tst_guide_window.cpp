@@ -1,0 +1,135 @@
+#include "tests/support/patience.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/window/editor_window_test.h"
+#include "ui/text/display.h"
+
+using namespace furrow;
+
+/// The guide in the window, and its pictures, which are made here from the program itself.
+class TestGuideWindow : public test::EditorWindowTest {
+    Q_OBJECT
+
+private:
+    QString title() const { return item(QStringLiteral("guide.title"))->property("text").toString(); }
+    /// A part of the window for the guide. Written to the guide where that is asked for, otherwise compared in
+    /// its size: a picture of another window would be of another.
+    void guidePicture(const QString& name, const QRect& part) {
+        QTest::qWait(0);
+        const QImage image = window_->grabWindow().copy(part);
+        const QString file = QStringLiteral(FURROW_SOURCE_DIR "/resources/guide/pictures/%1.png").arg(name);
+        if (qEnvironmentVariableIsSet("FURROW_WRITE_GUIDE")) {
+            QVERIFY(image.convertToFormat(QImage::Format_RGB888).save(file, "PNG", 0));
+        } else {
+            const QImage stored{file};
+            QVERIFY2(!stored.isNull(), qPrintable(file));
+            QCOMPARE(stored.size(), image.size());
+        }
+    }
+    QRect partOf(const QString& name) const {
+        const QQuickItem* of = item(name);
+        return QRectF{of->mapToScene({}), of->size()}.toRect() & QRect{QPoint{}, window_->size()};
+    }
+    void openStep(const QString& step) {
+        if (!item(QStringLiteral("stepsPanel"))->property("openStep").toString().contains(step)) {
+            click(QStringLiteral("step.") + step);
+        }
+        waitForRest(*item(QStringLiteral("step.") + step));
+        scrollTo(item(QStringLiteral("step.") + step));
+        waitForRest(*item(QStringLiteral("step.") + step));
+        QTest::mouseMove(window_, middle());
+    }
+
+private slots:
+    void isReadSearchedAndFollowed() {
+        QVERIFY(!shows(QStringLiteral("guidePanel")));
+        key(Qt::Key_F1);
+        QTRY_VERIFY(shows(QStringLiteral("guidePanel")));
+        QTRY_VERIFY(item(QStringLiteral("guide.search"))->hasActiveFocus());
+        QVERIFY(shows(QStringLiteral("guide.line.6")) && !shows(QStringLiteral("guide.line.7")));
+        picture(QStringLiteral("guide_chapters"));
+        type(QStringLiteral("fishtail"));
+        QTRY_VERIFY(shows(QStringLiteral("guide.line.0")) &&
+                    item(QStringLiteral("guide.line.0"))
+                        ->property("caption")
+                        .toString()
+                        .contains(QStringLiteral("fishtail"), Qt::CaseInsensitive));
+        picture(QStringLiteral("guide_search"));
+        click(QStringLiteral("guide.line.0"));
+        QTRY_VERIFY(shows(QStringLiteral("guide.block.0")) || shows(QStringLiteral("guide.block.1")));
+        QVERIFY(title() != QStringLiteral("Guide"));
+        picture(QStringLiteral("guide_found"));
+        // Back to the chapters, then out.
+        key(Qt::Key_Escape);
+        QTRY_COMPARE(title(), QStringLiteral("Guide"));
+        click(QStringLiteral("guide.line.0"));
+        QTRY_VERIFY(shows(QStringLiteral("guide.block.0")));
+        picture(QStringLiteral("guide_first"));
+        // In the language of the window at once.
+        Display::instance().setLanguage(QStringLiteral("de"));
+        QTRY_VERIFY(title() != QStringLiteral("The first plan in five minutes"));
+        picture(QStringLiteral("guide_de"));
+        Display::instance().setLanguage({});
+        key(Qt::Key_Escape);
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("guidePanel")));
+    }
+    void theSearchOfCommandsFindsPagesFieldsAndFindings() {
+        DRAW_FIELD();
+        const auto find = [this](const QString& words) {
+            key(Qt::Key_K, Qt::ControlModifier);
+            QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+            type(words);
+            QTRY_VERIFY(shows(QStringLiteral("palette.row.0")));
+        };
+        find(QStringLiteral("first plan in five"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(title(), QStringLiteral("The first plan in five minutes"));
+        find(QStringLiteral("about furrow"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(shows(QStringLiteral("about.licence")));
+        picture(QStringLiteral("about"));
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("about.licence")));
+        find(session_->farm()->fieldName());
+        picture(QStringLiteral("palette_field"));
+        key(Qt::Key_Escape);
+    }
+    void pictures() {
+        openSample(QStringLiteral("Home Field"));
+        QTest::mouseMove(window_, middle());
+        const QRect panel = partOf(QStringLiteral("stepsPanel"));
+        const QRect steps{panel.topLeft(), QSize{panel.width(), 560}};
+        guidePicture(QStringLiteral("plan"), {{}, window_->size()});
+        openStep(QStringLiteral("field"));
+        guidePicture(QStringLiteral("field"), steps);
+        for (const char* step : {"machine", "headland", "swaths", "route"}) {
+            openStep(QLatin1String{step});
+            guidePicture(QLatin1String{step}, steps);
+        }
+        key(Qt::Key_L, Qt::ControlModifier);
+        QTRY_VERIFY(shows(QStringLiteral("layerSwitches")));
+        waitForRest(*item(QStringLiteral("layerSwitches")));
+        guidePicture(QStringLiteral("layers"), partOf(QStringLiteral("mapPage")));
+        key(Qt::Key_L, Qt::ControlModifier);
+        session_->drive()->setTime(session_->drive()->duration() * 0.55);
+        QTRY_VERIFY(session_->drive()->isUnderWay());
+        guidePicture(QStringLiteral("drive"), partOf(QStringLiteral("mapPage")).united(partOf(QStringLiteral("driveBar"))));
+        session_->drive()->setTime(0.0);
+        key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(shows(QStringLiteral("farmPanel")));
+        guidePicture(QStringLiteral("farm"), {{}, window_->size()});
+        key(Qt::Key_Escape);
+    }
+    void pictureOfFindings() {
+        openSample(QStringLiteral("Three Ponds"));
+        QTRY_VERIFY(session_->findings()->count() > 0);
+        click(QStringLiteral("step.check"));
+        QTRY_VERIFY(shows(QStringLiteral("finding.0")));
+        waitForRest(*item(QStringLiteral("finding.0")));
+        QTest::mouseMove(window_, middle());
+        guidePicture(QStringLiteral("findings"), {{}, window_->size()});
+    }
+};
+
+FURROW_TEST_WITH(TestGuideWindow, QGuiApplication);
+#include "tst_guide_window.moc"
