@@ -8,6 +8,7 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
+#include <format>
 #include <memory>
 
 namespace furrow {
@@ -87,7 +88,7 @@ std::vector<FileInMemory> filesInZip(std::string_view zip) {
         GByte* read = nullptr;
         vsi_l_offset size = 0;
         if (!name.ends_with('/') &&
-            VSIIngestFile(nullptr, (root + "/" + name).c_str(), &read, &size, -1) != 0) {
+            VSIIngestFile(nullptr, std::format("{}/{}", root, name).c_str(), &read, &size, -1) != 0) {
             files.push_back(
                 {name, std::string{reinterpret_cast<const char*>(read), static_cast<std::size_t>(size)}});
         }

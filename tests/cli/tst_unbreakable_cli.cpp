@@ -234,30 +234,23 @@ private slots:
         const QTemporaryDir folder;
         QStringList formats;
         for (const QJsonValue format : furrowCli({"list", "formats", "--json"}).json()["formats"].toArray()) {
-            const QString id = format.toObject()["id"].toString();
-            const Answer can = furrowCli(
-                {"plan", sampleField("long_strip"), "--format", id, "--out", folder.filePath("try")});
-            if (can.status < 2) {
-                formats.push_back(id);
+            if (format.toObject()["write"].toBool()) {
+                formats.push_back(format.toObject()["id"].toString());
             }
         }
         QVERIFY(formats.contains("geopackage") && formats.contains("kmz") &&
                 formats.contains("shapefile-zip"));
-        QMap<QString, QByteArray> first;
-        for (const char* name : {"first", "second"}) {
-            for (const QString& format : formats) {
-                const QString out = folder.filePath(QString{name} + "/" + format);
-                QVERIFY(
-                    furrowCli({"plan", sampleField("long_strip"), "--format", format, "--out", out}).status <
-                    2);
-                QFile::remove(out + "/summary.json");  // holds how long planning took
-            }
-            if (first.isEmpty()) {
-                first = filesIn(folder.filePath("first"));
-                QThread::sleep(std::chrono::milliseconds{2100});
-            }
-        }
-        const auto second = filesIn(folder.filePath("second"));
+        const auto written = [&](const QString& name) {
+            const Answer answer = furrowCli({"plan", sampleField("long_strip"), "--format", formats.join(','),
+                                             "--out", folder.filePath(name)});
+            auto files = filesIn(folder.filePath(name));
+            files.remove("summary.json");  // holds how long planning took
+            return answer.status < 2 ? files : QMap<QString, QByteArray>{};
+        };
+        const auto first = written("first");
+        QThread::msleep(2100);
+        QVERIFY(first.size() > formats.size());
+        const auto second = written("second");
         QCOMPARE(second.keys(), first.keys());
         for (const auto& [name, bytes] : first.asKeyValueRange()) {
             QVERIFY2(second[name] == bytes, qPrintable(name));
