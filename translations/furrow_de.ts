@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Furrow plans how a machine covers a farm field.</source>
+        <translation>Furrow plant, wie eine Maschine einen Schlag bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
+        <translation>Freie Software unter der BSD-3-Clause-Lizenz: nutzen, ändern und weitergeben, ohne jede Gewähr.</translation>
+    </message>
+    <message>
+        <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
+        <translation>Die Verfahren folgen dem Fields2Cover-Aufsatz (Mier, Valente und de Bruin, 2023) und den Quellen, die der Entwurf nennt.</translation>
+    </message>
+    <message>
+        <source>Built with %1.</source>
+        <translation>Gebaut mit %1.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>AppCommands</name>
     <message>
         <source>File</source>
@@ -522,6 +549,22 @@
     <message>
         <source>Layer: swath numbers</source>
         <translation>Ebene: Nummern der Spuren</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>Hilfe Anleitung Dokumentation wie</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Über Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>Version Lizenz Danksagung</translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1245,29 @@
     </message>
 </context>
 <context>
+    <name>GuidePanel</name>
+    <message>
+        <source>All chapters</source>
+        <translation>Alle Kapitel</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Close the guide (Esc)</source>
+        <translation>Handbuch schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Nothing is found. Try another word.</source>
+        <translation>Nichts gefunden. Versuchen Sie ein anderes Wort.</translation>
+    </message>
+</context>
+<context>
     <name>HeadingChart</name>
     <message>
         <source>Time by</source>
@@ -1779,6 +1845,26 @@
         <source>Keep as a variant</source>
         <translation>Als Variante behalten</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Schläge</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>Hinweis</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2332,7 +2418,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Nach den Spuren</translation>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2542,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Vor den Spuren</translation>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -5662,7 +5748,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation type="unfinished"/>
+        <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zu den Spuren</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>

@@ -76,8 +76,8 @@
     <message numerus="yes">
         <source>A piece of the field whose %n swath(s) are driven together.</source>
         <translation>
-            <numerusform>A piece of the mainland with %n swath.</numerusform>
-            <numerusform>A piece of the mainland whose %n swaths are driven together.</numerusform>
+            <numerusform>A piece of the field with %n swath.</numerusform>
+            <numerusform>A piece of the field whose %n swaths are driven together.</numerusform>
         </translation>
     </message>
 </context>
@@ -154,8 +154,8 @@
     <message numerus="yes">
         <source>%n block(s), %1</source>
         <translation>
-            <numerusform>%n cell, %1</numerusform>
-            <numerusform>%n cells, %1</numerusform>
+            <numerusform>%n block, %1</numerusform>
+            <numerusform>%n blocks, %1</numerusform>
         </translation>
     </message>
 </context>
@@ -327,8 +327,8 @@
     <message numerus="yes">
         <source>%n block(s)</source>
         <translation>
-            <numerusform>%n cell</numerusform>
-            <numerusform>%n cells</numerusform>
+            <numerusform>%n block</numerusform>
+            <numerusform>%n blocks</numerusform>
         </translation>
     </message>
     <message numerus="yes">

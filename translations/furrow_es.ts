@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Furrow plans how a machine covers a farm field.</source>
+        <translation>Furrow planifica cómo una máquina recorre una parcela.</translation>
+    </message>
+    <message>
+        <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
+        <translation>Software libre con la licencia BSD de 3 cláusulas: úselo, modifíquelo y compártalo, sin garantía alguna.</translation>
+    </message>
+    <message>
+        <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
+        <translation>Los métodos siguen el artículo de Fields2Cover (Mier, Valente y de Bruin, 2023) y las fuentes que cita el diseño.</translation>
+    </message>
+    <message>
+        <source>Built with %1.</source>
+        <translation>Construido con %1.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
     <name>AppCommands</name>
     <message>
         <source>File</source>
@@ -522,6 +549,22 @@
     <message>
         <source>Layer: swath numbers</source>
         <translation>Capa: números de las pasadas</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>ayuda manual documentación cómo</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Acerca de Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>versión licencia créditos</translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1245,29 @@
     </message>
 </context>
 <context>
+    <name>GuidePanel</name>
+    <message>
+        <source>All chapters</source>
+        <translation>Todos los capítulos</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>Close the guide (Esc)</source>
+        <translation>Cerrar la guía (Esc)</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Buscar en la guía</translation>
+    </message>
+    <message>
+        <source>Nothing is found. Try another word.</source>
+        <translation>No se encuentra nada. Pruebe con otra palabra.</translation>
+    </message>
+</context>
+<context>
     <name>HeadingChart</name>
     <message>
         <source>Time by</source>
@@ -1779,6 +1845,26 @@
         <source>Keep as a variant</source>
         <translation>Guardar como variante</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Parcelas</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>parcela</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>aviso</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2332,7 +2418,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Después de las pasadas</translation>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2542,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Antes de las pasadas</translation>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -5662,7 +5748,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation type="unfinished"/>
+        <translation>En una cabecera de %1 caben %2; tiene %3 de ancho y el resto es de las pasadas</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>

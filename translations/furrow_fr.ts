@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Furrow plans how a machine covers a farm field.</source>
+        <translation>Furrow planifie comment une machine parcourt une parcelle.</translation>
+    </message>
+    <message>
+        <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
+        <translation>Logiciel libre sous licence BSD à 3 clauses : utilisez-le, modifiez-le et transmettez-le, sans aucune garantie.</translation>
+    </message>
+    <message>
+        <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
+        <translation>Les méthodes suivent l’article Fields2Cover (Mier, Valente et de Bruin, 2023) et les sources que cite la conception.</translation>
+    </message>
+    <message>
+        <source>Built with %1.</source>
+        <translation>Construit avec %1.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>AppCommands</name>
     <message>
         <source>File</source>
@@ -522,6 +549,22 @@
     <message>
         <source>Layer: swath numbers</source>
         <translation>Couche : numéros des passages</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>aide manuel documentation comment</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>À propos de Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>version licence crédits</translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1245,29 @@
     </message>
 </context>
 <context>
+    <name>GuidePanel</name>
+    <message>
+        <source>All chapters</source>
+        <translation>Tous les chapitres</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Close the guide (Esc)</source>
+        <translation>Fermer le guide (Échap)</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Chercher dans le guide</translation>
+    </message>
+    <message>
+        <source>Nothing is found. Try another word.</source>
+        <translation>Rien trouvé. Essayez un autre mot.</translation>
+    </message>
+</context>
+<context>
     <name>HeadingChart</name>
     <message>
         <source>Time by</source>
@@ -1779,6 +1845,26 @@
         <source>Keep as a variant</source>
         <translation>Garder comme variante</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Parcelles</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>parcelle</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>remarque</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2332,7 +2418,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Après les passages</translation>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2542,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Avant les passages</translation>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -5662,7 +5748,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Une fourrière de %1 contient %2 ; elle a %3 de large, le reste revient aux passages</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>

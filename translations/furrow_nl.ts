@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nl_NL" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Furrow plans how a machine covers a farm field.</source>
+        <translation>Furrow plant hoe een machine een perceel bewerkt.</translation>
+    </message>
+    <message>
+        <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
+        <translation>Vrije software onder de BSD-3-Clause-licentie: gebruiken, wijzigen en doorgeven, zonder enige garantie.</translation>
+    </message>
+    <message>
+        <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
+        <translation>De methoden volgen het Fields2Cover-artikel (Mier, Valente en de Bruin, 2023) en de bronnen die het ontwerp noemt.</translation>
+    </message>
+    <message>
+        <source>Built with %1.</source>
+        <translation>Gebouwd met %1.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
     <name>AppCommands</name>
     <message>
         <source>File</source>
@@ -522,6 +549,22 @@
     <message>
         <source>Layer: swath numbers</source>
         <translation>Laag: nummers van de werkgangen</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handleiding</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>hulp handleiding documentatie hoe</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Over Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>versie licentie dankwoord</translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1245,29 @@
     </message>
 </context>
 <context>
+    <name>GuidePanel</name>
+    <message>
+        <source>All chapters</source>
+        <translation>Alle hoofdstukken</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handleiding</translation>
+    </message>
+    <message>
+        <source>Close the guide (Esc)</source>
+        <translation>Handleiding sluiten (Esc)</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>In de handleiding zoeken</translation>
+    </message>
+    <message>
+        <source>Nothing is found. Try another word.</source>
+        <translation>Niets gevonden. Probeer een ander woord.</translation>
+    </message>
+</context>
+<context>
     <name>HeadingChart</name>
     <message>
         <source>Time by</source>
@@ -1779,6 +1845,26 @@
         <source>Keep as a variant</source>
         <translation>Als variant bewaren</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handleiding</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Percelen</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>perceel</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Bevindingen</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>bevinding</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2332,7 +2418,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Na de werkgangen</translation>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2542,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Vóór de werkgangen</translation>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -5662,7 +5748,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation type="unfinished"/>
+        <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest is voor de werkgangen</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pt_BR" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>Furrow %1</source>
+        <translation>Furrow %1</translation>
+    </message>
+    <message>
+        <source>Furrow plans how a machine covers a farm field.</source>
+        <translation>O Furrow planeja como uma máquina percorre um talhão.</translation>
+    </message>
+    <message>
+        <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
+        <translation>Software livre sob a licença BSD de 3 cláusulas: use, altere e passe adiante, sem nenhuma garantia.</translation>
+    </message>
+    <message>
+        <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
+        <translation>Os métodos seguem o artigo do Fields2Cover (Mier, Valente e de Bruin, 2023) e as fontes que o projeto cita.</translation>
+    </message>
+    <message>
+        <source>Built with %1.</source>
+        <translation>Construído com %1.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+</context>
+<context>
     <name>AppCommands</name>
     <message>
         <source>File</source>
@@ -522,6 +549,22 @@
     <message>
         <source>Layer: swath numbers</source>
         <translation>Camada: números das passadas</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guia</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>ajuda manual documentação como</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Sobre o Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>versão licença créditos</translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1245,29 @@
     </message>
 </context>
 <context>
+    <name>GuidePanel</name>
+    <message>
+        <source>All chapters</source>
+        <translation>Todos os capítulos</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guia</translation>
+    </message>
+    <message>
+        <source>Close the guide (Esc)</source>
+        <translation>Fechar o guia (Esc)</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Buscar no guia</translation>
+    </message>
+    <message>
+        <source>Nothing is found. Try another word.</source>
+        <translation>Nada encontrado. Tente outra palavra.</translation>
+    </message>
+</context>
+<context>
     <name>HeadingChart</name>
     <message>
         <source>Time by</source>
@@ -1779,6 +1845,26 @@
         <source>Keep as a variant</source>
         <translation>Guardar como variante</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guia</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Talhões</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>talhão</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>aviso</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2332,7 +2418,7 @@
     </message>
     <message>
         <source>After the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Depois das passadas</translation>
     </message>
     <message>
         <source>AgBot</source>
@@ -2456,7 +2542,7 @@
     </message>
     <message>
         <source>Before the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Antes das passadas</translation>
     </message>
     <message>
         <source>Beside a curve of your own, or beside the edges around the one that you pick.</source>
@@ -5662,7 +5748,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation type="unfinished"/>
+        <translation>Em uma cabeceira de %1 cabem %2; ela tem %3 de largura e o resto é das passadas</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>

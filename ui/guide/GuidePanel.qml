@@ -30,7 +30,7 @@ Rectangle {
 
         property string caption: ""
 
-        height: texts.height + 18
+        height: texts.implicitHeight + 18
         focusPolicy: Qt.StrongFocus
         Accessible.name: caption.length > 0 ? text + ". " + caption : text
 
@@ -121,8 +121,12 @@ Rectangle {
     ScrollArea {
         id: flick
 
+        objectName: "guide.scroller"
         anchors { left: parent.left; right: parent.right; top: guide.chapter < 0 ? search.bottom : head.bottom; bottom: parent.bottom; leftMargin: 20; topMargin: 12; bottomMargin: 8 }
-        contentHeight: (guide.chapter < 0 ? list : text).height + 24
+        // Texts and pictures get their heights one after the other.
+        onContentHeightChanged: root.goToBlock()
+        onMovementStarted: root.wantedBlock = -1
+        contentHeight: (guide.chapter < 0 ? list : reading).height + 24
 
         Column {
             id: list
@@ -155,7 +159,7 @@ Rectangle {
             }
         }
         Column {
-            id: text
+            id: reading
 
             width: flick.width - 20
             visible: guide.chapter >= 0
@@ -172,7 +176,7 @@ Rectangle {
                     required property var modelData
                     required property int index
 
-                    width: text.width
+                    width: reading.width
                     spacing: 4
 
                     BodyText {
@@ -211,14 +215,13 @@ Rectangle {
     function show(chapter: int, block: int): void {
         guide.chapter = chapter;
         root.wantedBlock = block;
+        flick.forceActiveFocus();
         Qt.callLater(root.goToBlock);
     }
     function goToBlock(): void {
         const wanted = root.wantedBlock >= 0 ? blocks.itemAt(root.wantedBlock) : null;
-        root.wantedBlock = -1;
         if (wanted)
             flick.contentY = Math.max(0, Math.min(wanted.y, flick.contentHeight - flick.height));
-        flick.forceActiveFocus();
     }
     function begin(): void {
         guide.chapter = -1;
@@ -235,6 +238,7 @@ Rectangle {
     Keys.onPressed: event => {
         const way = event.key === Qt.Key_Down ? 60 : event.key === Qt.Key_Up ? -60 : event.key === Qt.Key_PageDown ? flick.height - 40 : event.key === Qt.Key_PageUp ? 40 - flick.height : 0;
         if (way !== 0) {
+            root.wantedBlock = -1;
             flick.scrollBy(way);
             event.accepted = true;
         }

@@ -4,8 +4,7 @@
 
 namespace furrow {
 
-Guide::Guide(QObject* parent)
-    : QObject{parent}, chapters_{guideIn(Display::instance().shownLanguage())} {
+Guide::Guide(QObject* parent) : QObject{parent}, chapters_{guideIn(Display::instance().shownLanguage())} {
     connect(&Display::instance(), &Display::changed, this, [this] {
         chapters_ = guideIn(Display::instance().shownLanguage());
         emit changed();
@@ -35,12 +34,12 @@ QVariantList Guide::blocks() const {
         return blocks;
     }
     for (const GuideBlock& block : chapters_[static_cast<std::size_t>(chapter_)].blocks) {
-        blocks << QVariantMap{{QStringLiteral("text"), block.text},
-                              {QStringLiteral("picture"),
-                               block.picture.isEmpty()
-                                   ? QString{}
-                                   : QStringLiteral("qrc:/furrow/guide/pictures/") + block.picture},
-                              {QStringLiteral("heading"), block.heading}};
+        blocks << QVariantMap{
+            {QStringLiteral("text"), block.text},
+            {QStringLiteral("picture"), block.picture.isEmpty()
+                                            ? QString{}
+                                            : QStringLiteral("qrc:/furrow/guide/pictures/") + block.picture},
+            {QStringLiteral("heading"), block.heading}};
     }
     return blocks;
 }

@@ -35,9 +35,14 @@ QString excerptOf(const QString& text, const QString& word) {
     return excerpt;
 }
 
-bool holdsAll(const QString& text, const QStringList& words) {
-    return std::ranges::all_of(
+bool holdsAny(const QString& text, const QStringList& words) {
+    return std::ranges::any_of(
         words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+bool holdsAll(const QString& text, const QStringList& words) {
+    return std::ranges::all_of(words,
+                               [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
 
 }  // namespace
@@ -57,14 +62,17 @@ GuideChapter guideChapter(const QString& name, const QString& markdown) {
         const QString trimmed = line.trimmed();
         if (const auto shown = picture.match(trimmed); shown.hasMatch()) {
             flush();
-            chapter.blocks.push_back({.text = shown.captured(1), .picture = shown.captured(2), .heading = {}});
+            chapter.blocks.push_back(
+                {.text = shown.captured(1), .picture = shown.captured(2), .heading = {}});
         } else if (trimmed.startsWith(QStringLiteral("# "))) {
             chapter.title = trimmed.mid(2);
+        } else if (trimmed.startsWith(QLatin1Char('#'))) {
+            flush();
+            block = {.text = trimmed, .picture = {}, .heading = plain(trimmed)};
+            flush();
+        } else if (trimmed.isEmpty()) {
+            flush();
         } else {
-            if (trimmed.startsWith(QLatin1Char('#'))) {
-                flush();
-                block.heading = plain(trimmed);
-            }
             block.text += line + QLatin1Char('\n');
         }
     }
@@ -88,7 +96,8 @@ std::vector<GuideHit> searchGuide(const std::vector<GuideChapter>& chapters, con
                 section = block.heading;
             }
             const QString text = plain(block.text);
-            if (!block.picture.isEmpty() || !holdsAll(section + QLatin1Char(' ') + text, words)) {
+            if (!block.picture.isEmpty() || !holdsAny(text, words) ||
+                !holdsAll(section + QLatin1Char(' ') + text, words)) {
                 continue;
             }
             auto& hits = holdsAll(block.heading, words) ? inHeadings : inTexts;

@@ -41,9 +41,9 @@ T.Button {
             id: heading
 
             width: parent.width
-            height: root.beginsInformation ? implicitHeight + 8 : 0
+            height: root.beginsInformation ? implicitHeight + 6 : 0
             visible: root.beginsInformation
-            topPadding: 2
+            topPadding: 10
             text: qsTr("For information")
         }
         Rectangle {

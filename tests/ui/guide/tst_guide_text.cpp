@@ -54,21 +54,23 @@ class TestGuideText : public QObject {
 
 private slots:
     void aChapterFallsIntoBlocks() {
-        const GuideChapter read =
-            guideChapter(QStringLiteral("x"), QStringLiteral("# Title\n\nBefore.\n\n## One\n\nText **bold**.\n\n"
-                                                             "![A picture](pictures/a.png)\n\nAfter.\n"));
+        const GuideChapter read = guideChapter(
+            QStringLiteral("x"), QStringLiteral("# Title\n\nBefore.\n\n## One\n\nText **bold**.\n\n"
+                                                "![A picture](pictures/a.png)\n\nAfter.\n"));
         QCOMPARE(read.title, QStringLiteral("Title"));
-        QCOMPARE(read.blocks.size(), std::size_t{4});
+        QCOMPARE(read.blocks.size(), std::size_t{5});
         QCOMPARE(read.blocks[0].text, QStringLiteral("Before."));
         QCOMPARE(read.blocks[1].heading, QStringLiteral("One"));
-        QCOMPARE(read.blocks[2].picture, QStringLiteral("a.png"));
-        QCOMPARE(read.blocks[2].text, QStringLiteral("A picture"));
-        QCOMPARE(read.blocks[3].text, QStringLiteral("After."));
+        QCOMPARE(read.blocks[2].text, QStringLiteral("Text **bold**."));
+        QCOMPARE(read.blocks[3].picture, QStringLiteral("a.png"));
+        QCOMPARE(read.blocks[3].text, QStringLiteral("A picture"));
+        QCOMPARE(read.blocks[4].text, QStringLiteral("After."));
     }
     void wordsAreFound() {
         const std::vector<GuideChapter> chapters{
             guideChapter(QStringLiteral("1"), QStringLiteral("# One\n\n## Headland\n\nWide as a turn.\n")),
-            guideChapter(QStringLiteral("2"), QStringLiteral("# Two\n\n## Else\n\nThe headland is a **strip**.\n"))};
+            guideChapter(QStringLiteral("2"),
+                         QStringLiteral("# Two\n\n## Else\n\nThe headland is a **strip**.\n"))};
         const auto hits = searchGuide(chapters, QStringLiteral("headland"));
         QCOMPARE(hits.size(), std::size_t{2});
         QCOMPARE(hits[0].chapter, 0);
@@ -131,7 +133,7 @@ private slots:
         QFETCH(QString, language);
         const QStringList texts = windowTexts(language);
         QVERIFY(texts.size() > 500);
-        static const QRegularExpression bold{QStringLiteral(R"(\*\*([^*]{3,})\*\*)")};
+        static const QRegularExpression bold{QStringLiteral("[*]{2}([^*]+)[*]{2}")};
         QStringList strange;
         for (const char* name : {"01-first-plan", "02-steps", "03-window"}) {
             const QString file = QLatin1String{name};
@@ -151,9 +153,10 @@ private slots:
             }
             for (auto each = bold.globalMatch(text); each.hasNext();) {
                 const QString said = each.next().captured(1);
-                const bool known = std::ranges::any_of(texts, [&](const QString& shown) {
-                    return shown.startsWith(said, Qt::CaseInsensitive);
-                });
+                // A key.
+                const bool known = said.size() == 1 || std::ranges::any_of(texts, [&](const QString& shown) {
+                                       return shown.startsWith(said, Qt::CaseInsensitive);
+                                   });
                 if (!known) {
                     strange << file + QStringLiteral(": ") + said;
                 }

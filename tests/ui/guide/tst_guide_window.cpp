@@ -11,8 +11,8 @@ class TestGuideWindow : public test::EditorWindowTest {
 
 private:
     QString title() const { return item(QStringLiteral("guide.title"))->property("text").toString(); }
-    /// A part of the window for the guide. Written to the guide where that is asked for, otherwise compared in
-    /// its size: a picture of another window would be of another.
+    /// A part of the window for the guide. Written to the guide where that is asked for, otherwise compared
+    /// in its size: a picture of another window would be of another.
     void guidePicture(const QString& name, const QRect& part) {
         QTest::qWait(0);
         const QImage image = window_->grabWindow().copy(part);
@@ -48,6 +48,7 @@ private slots:
         QVERIFY(shows(QStringLiteral("guide.line.6")) && !shows(QStringLiteral("guide.line.7")));
         picture(QStringLiteral("guide_chapters"));
         type(QStringLiteral("fishtail"));
+        picture(QStringLiteral("guide_search"));
         QTRY_VERIFY(shows(QStringLiteral("guide.line.0")) &&
                     item(QStringLiteral("guide.line.0"))
                         ->property("caption")
@@ -57,18 +58,23 @@ private slots:
         click(QStringLiteral("guide.line.0"));
         QTRY_VERIFY(shows(QStringLiteral("guide.block.0")) || shows(QStringLiteral("guide.block.1")));
         QVERIFY(title() != QStringLiteral("Guide"));
+        // At the place that was found, far down.
+        QTRY_VERIFY(item(QStringLiteral("guide.scroller"))->property("contentY").toDouble() > 2000.0);
         picture(QStringLiteral("guide_found"));
         // Back to the chapters, then out.
         key(Qt::Key_Escape);
         QTRY_COMPARE(title(), QStringLiteral("Guide"));
+        item(QStringLiteral("guide.search"))->forceActiveFocus(Qt::TabFocusReason);
+        key(Qt::Key_A, Qt::ControlModifier);
+        key(Qt::Key_Delete);
         click(QStringLiteral("guide.line.0"));
         QTRY_VERIFY(shows(QStringLiteral("guide.block.0")));
         picture(QStringLiteral("guide_first"));
         // In the language of the window at once.
-        Display::instance().setLanguage(QStringLiteral("de"));
+        furrow::Display::instance().setLanguage(QStringLiteral("de"));
         QTRY_VERIFY(title() != QStringLiteral("The first plan in five minutes"));
         picture(QStringLiteral("guide_de"));
-        Display::instance().setLanguage({});
+        furrow::Display::instance().setLanguage({});
         key(Qt::Key_Escape);
         key(Qt::Key_Escape);
         QTRY_VERIFY(!shows(QStringLiteral("guidePanel")));
@@ -111,9 +117,11 @@ private slots:
         waitForRest(*item(QStringLiteral("layerSwitches")));
         guidePicture(QStringLiteral("layers"), partOf(QStringLiteral("mapPage")));
         key(Qt::Key_L, Qt::ControlModifier);
+        QTRY_VERIFY(!shows(QStringLiteral("layerSwitches")));
         session_->drive()->setTime(session_->drive()->duration() * 0.55);
         QTRY_VERIFY(session_->drive()->isUnderWay());
-        guidePicture(QStringLiteral("drive"), partOf(QStringLiteral("mapPage")).united(partOf(QStringLiteral("driveBar"))));
+        guidePicture(QStringLiteral("drive"),
+                     partOf(QStringLiteral("mapPage")).united(partOf(QStringLiteral("driveBar"))));
         session_->drive()->setTime(0.0);
         key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY(shows(QStringLiteral("farmPanel")));
