@@ -36,8 +36,8 @@ QString excerptOf(const QString& text, const QString& word) {
 }
 
 bool holdsAny(const QString& text, const QStringList& words) {
-    return std::ranges::any_of(
-        words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    return std::ranges::any_of(words,
+                               [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
 
 bool holdsAll(const QString& text, const QStringList& words) {

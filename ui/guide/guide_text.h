@@ -33,7 +33,8 @@ struct GuideHit {
 /// A chapter from its file. Each heading, paragraph, list and picture is a block.
 GuideChapter guideChapter(const QString& name, const QString& markdown);
 
-/// The blocks that hold every word of the query, together with the heading above them; headings first. Cost: O(text).
+/// The blocks that hold every word of the query, together with the heading above them; headings first. Cost:
+/// O(text).
 std::vector<GuideHit> searchGuide(const std::vector<GuideChapter>& chapters, const QString& query);
 
 /// The chapters in this language ("de"); in English where there is no translation.
