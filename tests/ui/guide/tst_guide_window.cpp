@@ -45,7 +45,7 @@ private slots:
         key(Qt::Key_F1);
         QTRY_VERIFY(shows(QStringLiteral("guidePanel")));
         QTRY_VERIFY(item(QStringLiteral("guide.search"))->hasActiveFocus());
-        QVERIFY(shows(QStringLiteral("guide.line.6")) && !shows(QStringLiteral("guide.line.7")));
+        QVERIFY(shows(QStringLiteral("guide.line.8")) && !shows(QStringLiteral("guide.line.9")));
         picture(QStringLiteral("guide_chapters"));
         type(QStringLiteral("fishtail"));
         picture(QStringLiteral("guide_search"));
