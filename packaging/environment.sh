@@ -63,10 +63,24 @@ host_is_new_enough() {
     esac
 }
 
+# Folders at the top of the host that hold no part of its system: a file that somebody names may be in any,
+# such as /data or /srv.
+top_folders() {
+    local folder
+    for folder in /*/; do
+        folder=${folder%/}
+        case "$folder" in
+            /bin | /boot | /dev | /etc | /lib* | /lost+found | /proc | /root | /run | /sbin | /sys | /usr | /var) ;;
+            *) [ -L "$folder" ] || [ ! -x "$folder" ] || printf '%s\n' "$folder" ;;
+        esac
+    done
+}
+
 # The folders of the host that are in the Debian 13 root, too, at the same paths. Those that do not exist
 # are left out.
 shared_folders() {
-    printf '%s\n' "$HOME" /tmp "${TMPDIR:-/tmp}" /media /mnt "$project" "$(dirname "$project")/shared" "$cache" \
+    top_folders
+    printf '%s\n' "$HOME" /tmp "${TMPDIR:-/tmp}" /run/media "$project" "$(dirname "$project")/shared" "$cache" \
         /dev /sys /proc "/run/user/$(id -u)"
 }
 

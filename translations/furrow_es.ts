@@ -8775,7 +8775,7 @@
     </message>
     <message>
         <source>To a stick, to files or on paper</source>
-        <translation>A una memoria USB, a archivos o en papel</translation>
+        <translation>A memoria USB, archivos o papel</translation>
     </message>
     <message>
         <source>No plan to export yet</source>

@@ -8775,7 +8775,7 @@
     </message>
     <message>
         <source>To a stick, to files or on paper</source>
-        <translation>Naar een stick, naar bestanden of op papier</translation>
+        <translation>Naar stick, bestand of papier</translation>
     </message>
     <message>
         <source>No plan to export yet</source>

@@ -3278,7 +3278,7 @@
     </message>
     <message>
         <source>Raised width</source>
-        <translation>Largura com o implemento levantado</translation>
+        <translation>Largura ao manobrar</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8775,7 +8775,7 @@
     </message>
     <message>
         <source>To a stick, to files or on paper</source>
-        <translation>Para pen drive, arquivos ou papel</translation>
+        <translation>Para pen drive, arquivos, papel</translation>
     </message>
     <message>
         <source>No plan to export yet</source>

@@ -5,6 +5,7 @@
 #include "resources/embedded.h"
 
 #include <algorithm>
+#include <array>
 #include <format>
 #include <vector>
 
@@ -33,6 +34,30 @@ std::span<const Machine> machineLibrary() {
         return read;
     }();
     return machines;
+}
+
+std::string_view usualOperation(const Machine& machine) {
+    struct Usual {
+        std::string_view machine;
+        std::string_view operation;
+    };
+    static constexpr std::array kUsual{
+        Usual{"agbot", "tillage"},
+        Usual{"field-robot", "tillage"},
+        Usual{"orchard-sprayer", "spraying"},
+        Usual{"plough", "tillage"},
+        Usual{"power-harrow-drill", "sowing"},
+        Usual{"cultivator", "tillage"},
+        Usual{"planter", "sowing"},
+        Usual{"combine", "harvest"},
+        Usual{"mower", "mowing"},
+        Usual{"mounted-drill", "sowing"},
+        Usual{"slurry-tanker", "spreading"},
+        Usual{"trailed-sprayer", "spraying"},
+        Usual{"spreader", "spreading"},
+    };
+    const auto usual = std::ranges::find(kUsual, machine.id(), &Usual::machine);
+    return usual == kUsual.end() ? std::string_view{} : usual->operation;
 }
 
 Result<Machine> findMachine(std::string_view idOrName) {

@@ -27,7 +27,7 @@ make_root() {
     mkdir -p "$root"/{proc,dev,sys,tmp,etc,home,var,usr/bin}
     printf 'in memory only\n' >"$root/etc/passwd"
     : >"$root/etc/fstab"  # as any Debian has: umount asks it
-    for program in bash setpriv umount rm cat id touch; do install_program "$program"; done
+    for program in bash setpriv umount rm cat id touch stat; do install_program "$program"; done
 }
 
 make_project() {
@@ -85,6 +85,7 @@ before=$(cd "$root" && find . | sort)
 expect runsInTheRoot "$(in_project enter cat /etc/passwd)" "$(cat /etc/passwd)"
 expect findsProjectAnywhere "$(in_project enter cat "$project/file" file)" $'of the project\nof the project'
 expect findsHome "$(in_project enter cat "$home/file")" 'of the home folder'
+expect findsOtherFolders "$(in_project enter stat -c %i /srv /mnt)" "$(stat -c %i /srv /mnt)"
 expect isTheCaller "$(in_project enter id -u)" "$("${other[@]}" id -u)"
 in_project enter touch "$home/written"
 expect filesAreTheCallers "$(stat -c %u "$home/written")" "$("${other[@]}" id -u)"

@@ -47,6 +47,7 @@ QtObject {
     signal keysRequested()
     signal guideRequested()
     signal aboutRequested()
+    signal troubleRequested()
     signal preferencesRequested()
     signal tourRequested()
     signal quitRequested()
@@ -593,6 +594,13 @@ QtObject {
             shortcut: "Ctrl+F1"
             keywords: qsTr("shortcuts help")
             onTriggered: root.keysRequested()
+        },
+        Command {
+            objectName: "command.trouble"
+            group: root.helpGroup
+            text: qsTr("Report a problem…")
+            keywords: qsTr("bug crash support error")
+            onTriggered: root.troubleRequested()
         },
         Command {
             objectName: "command.about"

@@ -1,35 +1,43 @@
 pragma ComponentBehavior: Bound
 import QtQuick
+import QtQuick.Templates as T
 import QtCore
 import Furrow.Controls
-import Furrow.Project
 
-/// Shows where things are: a card with a few sentences for each part of the window, which gets a frame meanwhile.
-/// Nothing is locked; it can be left at any step.
+/// The first things to do, as a small list that ticks itself off as they are done. Nothing is locked, nothing is in
+/// the way; it can be left at any moment.
 Item {
     id: root
 
-    required property FarmModel farm
-    required property FieldOpener opener
-    /// What each page is about; null for the window as a whole.
+    /// What of the window each task is about; it gets a frame while the pointer or the keyboard is on the task.
     required property list<Item> places
-    property int page: -1
+    /// Done or not, by what is there and what was done since the start.
+    required property bool hasField
+    required property string machineName
+    required property bool dragging
+    required property bool exporting
+    property bool running: false
     /// It was shown before, to the end or not.
     property bool seen: false
-    readonly property bool running: page >= 0
-    readonly property Item place: running ? places[page] : null
-    readonly property list<var> pages: [
-        [qsTr("Welcome to Furrow"), qsTr("In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.")],
-        [qsTr("The steps"), qsTr("From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.")],
-        [qsTr("The map"), qsTr("Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.")],
-        [qsTr("The tools"), qsTr("Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.")],
-        [qsTr("What came out"), qsTr("Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.")],
-        [qsTr("To the terminal"), qsTr("Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.")]
+    property list<bool> done: [false, false, false, false]
+    readonly property bool finished: !done.includes(false)
+    readonly property list<var> tasks: [
+        [qsTr("Get a field"), qsTr("Open its boundary, draw it, or press here for a sample.")],
+        [qsTr("Choose your machine"), qsTr("The second step: the one most like yours, then its width.")],
+        [qsTr("Change the field"), qsTr("Drag a corner on the map. The plan follows; Ctrl+Z takes it back.")],
+        [qsTr("Take it to the tractor"), qsTr("Export writes the plan to a stick or a folder and checks it.")]
     ]
+    property string machineAtStart: ""
+    property Item place: null
+    /// A task was pressed: what it is about should open.
+    signal taskRequested(task: int)
 
     objectName: "tour"
     visible: running
-    Keys.onEscapePressed: root.leave()
+    onHasFieldChanged: root.tick(0, root.hasField)
+    onMachineNameChanged: root.tick(1, root.machineName !== root.machineAtStart)
+    onDraggingChanged: root.tick(2, root.dragging)
+    onExportingChanged: root.tick(3, root.exporting)
 
     readonly property Settings stored: Settings {
         category: "tour"
@@ -41,10 +49,10 @@ Item {
         readonly property point corner: root.place && root.width > 0 && root.height > 0 ? root.place.mapToItem(root, 0, 0) : Qt.point(0, 0)
 
         visible: root.place !== null && root.place.visible
-        x: corner.x + 3
-        y: corner.y + 3
-        width: root.place ? root.place.width - 6 : 0
-        height: root.place ? root.place.height - 6 : 0
+        x: corner.x + 2
+        y: corner.y + 2
+        width: root.place ? root.place.width - 4 : 0
+        height: root.place ? root.place.height - 4 : 0
         radius: Theme.cardRadius
         color: "transparent"
         border.width: 3
@@ -54,99 +62,162 @@ Item {
         id: card
 
         objectName: "tour.card"
-        // Beside what it speaks about where that is narrow and on the left, otherwise in the middle.
-        readonly property real beside: root.place && root.place.width < 400 && root.width > 0 && root.place.mapToItem(root, 0, 0).x < root.width / 2 ? root.place.mapToItem(root, root.place.width, 0).x + 16 : 0
-
-        x: Math.min(Math.max((parent.width - width) / 2, beside), parent.width - width - 16)
-        anchors { bottom: parent.bottom; bottomMargin: 28 }
-        width: Math.min(480, parent.width - 32)
-        height: column.height + 40
-        radius: 14
+        anchors { right: parent.right; bottom: parent.bottom; margins: 16 }
+        width: Math.min(316, parent.width - 32)
+        height: Math.min(column.height + 28, parent.height - 32)
+        radius: Theme.cardRadius
         color: Theme.panel
         border.width: Theme.hairline
         border.color: Theme.line
-        Accessible.role: Accessible.Dialog
+        Accessible.role: Accessible.List
         Accessible.name: title.text
-        Accessible.description: text.text
 
         SoftShadow { radius: card.radius }
         MouseArea { anchors.fill: parent }
         Column {
             id: column
 
-            x: 24
-            y: 20
-            width: parent.width - 48
-            spacing: 10
+            x: 14
+            y: 14
+            width: parent.width - 28
+            spacing: 4
 
-            BodyText {
-                id: title
-
-                objectName: "tour.title"
-                width: parent.width
-                text: root.running ? root.pages[root.page][0] : ""
-                font.pixelSize: 18
-                font.weight: Font.DemiBold
-            }
-            BodyText {
-                id: text
-
-                width: parent.width
-                text: root.running ? root.pages[root.page][1] : ""
-                wrapMode: Text.WordWrap
-                lineHeight: 1.25
-            }
             Item {
                 width: parent.width
-                height: Theme.controlHeight
+                height: 30
 
-                Caption {
+                BodyText {
+                    id: title
+
+                    objectName: "tour.title"
                     anchors.verticalCenter: parent.verticalCenter
-                    text: qsTr("%1 of %2").arg(root.page + 1).arg(root.pages.length)
+                    text: root.finished ? qsTr("That is all") : qsTr("First things")
+                    font.pixelSize: Theme.titleSize
+                    font.weight: Font.DemiBold
                 }
-                Row {
-                    anchors.right: parent.right
-                    spacing: 8
+                ToolIconButton {
+                    id: leaveButton
 
-                    PushButton {
-                        objectName: "tour.leave"
-                        text: qsTr("Leave")
-                        visible: root.page + 1 < root.pages.length
-                        onClicked: root.leave()
-                    }
-                    PushButton {
-                        objectName: "tour.back"
-                        text: qsTr("Back")
-                        visible: root.page > 0
-                        onClicked: root.page -= 1
-                    }
-                    PushButton {
-                        id: next
+                    objectName: "tour.leave"
+                    anchors { right: parent.right; rightMargin: -6; verticalCenter: parent.verticalCenter }
+                    iconName: "close"
+                    hint: qsTr("Leave; it is in the Help menu")
+                    onClicked: root.leave()
+                }
+            }
+            Repeater {
+                id: rows
 
-                        objectName: "tour.next"
-                        text: root.page + 1 < root.pages.length ? qsTr("Next") : qsTr("Done")
-                        primary: true
-                        onClicked: root.goOn()
+                model: root.tasks
+
+                T.Button {
+                    id: row
+
+                    required property int index
+                    required property var modelData
+                    readonly property bool isDone: root.done[index]
+                    /// The next thing to do says how.
+                    readonly property bool isNext: !isDone && !root.done.slice(0, index).includes(false)
+                    readonly property bool pointed: hovered || visualFocus
+
+                    objectName: "tour.task." + index
+                    width: column.width
+                    height: Math.max(34, texts.implicitHeight + 14)
+                    focusPolicy: Qt.StrongFocus
+                    Accessible.name: isDone ? qsTr("%1: done").arg(modelData[0]) : modelData[0] + ". " + modelData[1]
+                    onPointedChanged: root.place = pointed ? root.places[index] : null
+                    onClicked: root.taskRequested(index)
+
+                    background: Rectangle {
+                        radius: Theme.radius
+                        color: row.hovered ? Theme.hover : row.isNext ? Theme.sunken : "transparent"
+
+                        Focusable { control: row }
+                    }
+                    contentItem: Item {
+                        Rectangle {
+                            x: 8
+                            y: 8
+                            width: 18
+                            height: 18
+                            radius: 9
+                            color: row.isDone ? Theme.accent : "transparent"
+                            border.width: 1.5
+                            border.color: row.isDone ? Theme.accent : Theme.muted
+
+                            Icon {
+                                anchors.centerIn: parent
+                                width: 14
+                                height: 14
+                                visible: row.isDone
+                                name: "check"
+                                color: Theme.accentInk
+                            }
+                        }
+                        Column {
+                            id: texts
+
+                            x: 36
+                            y: 7
+                            width: parent.width - 44
+                            spacing: 2
+
+                            BodyText {
+                                width: parent.width
+                                text: row.modelData[0]
+                                color: row.isDone ? Theme.muted : Theme.ink
+                                font.weight: row.isNext ? Font.DemiBold : Font.Normal
+                                wrapMode: Text.WordWrap
+                            }
+                            Caption {
+                                width: parent.width
+                                visible: row.isNext
+                                text: row.modelData[1]
+                                wrapMode: Text.WordWrap
+                                lineHeight: 1.15
+                            }
+                        }
                     }
                 }
+            }
+            Caption {
+                width: parent.width
+                visible: root.finished
+                text: qsTr("Ctrl+S saves the project, F1 opens the guide.")
+                wrapMode: Text.WordWrap
             }
         }
     }
 
     function start(): void {
-        root.page = 0;
-        next.forceActiveFocus();
+        root.machineAtStart = root.machineName;
+        root.done = [root.hasField, false, false, false];
+        root.running = true;
+        rows.itemAt(root.hasField ? 1 : 0)?.forceActiveFocus(Qt.OtherFocusReason);
+    }
+    function tick(task: int, isDone: bool): void {
+        if (!root.running || !isDone || root.done[task])
+            return;
+        const done = [...root.done];
+        done[task] = true;
+        root.done = done;
     }
     function leave(): void {
-        root.page = -1;
+        root.running = false;
+        root.place = null;
         root.seen = true;
     }
-    function goOn(): void {
-        if (root.page === 0 && !root.farm.hasField)
-            root.opener.openSample(Math.max(0, root.opener.sampleNames.indexOf("Home Field")));
-        if (root.page + 1 < root.pages.length)
-            root.page += 1;
-        else
-            root.leave();
+    Shortcut {
+        enabled: root.running && (leaveButton.activeFocus || root.anyRowFocused())
+        sequences: [StandardKey.Cancel]
+        onActivated: root.leave()
+    }
+    function anyRowFocused(): bool {
+        const focused = root.Window.activeFocusItem;
+        for (let i = 0; i < rows.count; ++i) {
+            if (focused !== null && rows.itemAt(i) === focused)
+                return true;
+        }
+        return false;
     }
 }

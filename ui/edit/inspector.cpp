@@ -23,6 +23,10 @@ void Inspector::follow() {
             inspectorText(editor_->selection(), editor_->shape() ? &*editor_->shape() : nullptr,
                           field == nullptr ? nullptr : field->source.get(), editor_->shown()->plan().get());
     }
+    askForOptions();
+    if (text && options_) {
+        addOptions(*text, *options_);
+    }
     if (text == text_) {
         return;
     }
@@ -41,6 +45,32 @@ void Inspector::follow() {
         emit dataChanged(index(0), index(rowCount() - 1));
     }
     emit changed();
+}
+
+void Inspector::askForOptions() {
+    const std::shared_ptr<const Plan> plan = editor_->shown() == nullptr ? nullptr : editor_->shown()->plan();
+    const int segment = plan == nullptr ? -1 : editor_->selectedSegment();
+    const bool isTurn = segment >= 0 && segment < static_cast<int>(plan->path.segments.size()) &&
+                        plan->path.segments[static_cast<std::size_t>(segment)].kind == SegmentKind::Turn;
+    const std::pair wanted{isTurn ? plan : nullptr, isTurn ? segment : -1};
+    if (wanted == askedOf_) {
+        return;
+    }
+    askedOf_ = wanted;
+    options_.reset();
+    optionsAsker_.cancel();
+    if (!isTurn || plan->request.draft) {
+        return;
+    }
+    optionsAsker_.submit([this, wanted](const JobContext& job) -> JobRunner::Delivery {
+        auto options = turnOptions(*wanted.first, static_cast<std::size_t>(wanted.second), job);
+        return [this, wanted, options = std::move(options)] {
+            if (options && *options && wanted == askedOf_) {
+                options_ = *options;
+                follow();
+            }
+        };
+    });
 }
 
 int Inspector::rowCount(const QModelIndex& parent) const {

@@ -1,10 +1,16 @@
 #pragma once
 
+#include "planner/plan/turn_options.h"
 #include "ui/edit/field_editor.h"
 #include "ui/edit/inspector_text.h"
+#include "ui/jobs/job_runner.h"
 
 #include <QtQml/qqmlregistration.h>
 #include <QAbstractListModel>
+
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace furrow {
 
@@ -62,10 +68,16 @@ signals:
 
 private:
     void follow();
+    /// What else could be driven in place of the turn that is selected: looked for in the background.
+    void askForOptions();
     const InspectorRow& at(int row) const { return text_->rows[static_cast<std::size_t>(row)]; }
 
     FieldEditor* editor_ = nullptr;
     std::optional<InspectorText> text_;
+    /// The plan and the segment whose options are here, or are looked for.
+    std::pair<std::shared_ptr<const Plan>, int> askedOf_{nullptr, -1};
+    std::optional<TurnOptions> options_;
+    JobRunner optionsAsker_;
 };
 
 }  // namespace furrow

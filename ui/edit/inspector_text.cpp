@@ -168,8 +168,9 @@ void addTurn(InspectorText& text, const Plan& plan, std::size_t index) {
         }
         text.rows.push_back(figure(Words::tr("Kind"), shown(nameOf(turn.shape))));
         if (turn.segmentCount > 1) {
-            text.rows.push_back(figure(Words::tr("Whole turn"),
-                                       inOneLine({metresText(turn.length, 1), durationText(turn.duration)})));
+            text.rows.push_back(
+                figure(Words::tr("Whole turn"),
+                       inOneLine({metresText(turn.length, 1), exactDurationText(turn.duration)})));
         }
         return;
     }
@@ -185,7 +186,7 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
                                                   : Words::tr("pass %1").arg(work->number);
     };
     const QString length = metresText(segment.length(), 1);
-    const QString time = durationText(segment.duration());
+    const QString time = exactDurationText(segment.duration());
     InspectorText text;
     text.rows = {figure(Words::tr("Length"), length), figure(Words::tr("Time"), time)};
     switch (segment.kind) {
@@ -314,6 +315,17 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
         case Selection::Kind::Finding: break;  // its row in the list says all of it
     }
     return std::nullopt;
+}
+
+void addOptions(InspectorText& text, const TurnOptions& options) {
+    if (options.clearance) {
+        text.rows.push_back(figure(Words::tr("From the edge"), metresText(*options.clearance, 2)));
+    }
+    for (const TurnOption& other : options.others) {
+        text.rows.push_back(figure(Words::tr("Instead: %1").arg(shown(other.name)),
+                                   other.fits ? Words::tr("about %1").arg(exactDurationText(other.duration))
+                                              : Words::tr("no room")));
+    }
 }
 
 }  // namespace furrow

@@ -2,6 +2,7 @@
 
 #include "planner/editing/field_shape.h"
 #include "planner/plan/plan.h"
+#include "planner/plan/turn_options.h"
 #include "ui/edit/selection.h"
 #include "ui/text/quantity_text.h"
 
@@ -57,5 +58,9 @@ struct InspectorText {
 /// for a selection in a plan, and the plan for one in the field.
 std::optional<InspectorText> inspectorText(const Selection& selection, const FieldShape* shape,
                                            const FieldSource* source, const Plan* plan);
+
+/// Adds what is known of a turn beside others: how near it comes to the edge, and what could be driven in its
+/// place.
+void addOptions(InspectorText& text, const TurnOptions& options);
 
 }  // namespace furrow

@@ -1,8 +1,10 @@
 #include "ui/plan/planning.h"
 
+#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "planner/settings/operation.h"
+#include "ui/project/last_machine.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -35,10 +37,7 @@ Planning::Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Pr
                    QObject* parent)
     : QObject{parent}, document_{document}, opener_{opener}, shown_{shown}, problem_{problem} {
     connect(&steps_, &StepsModel::changeRequested, this, &Planning::changeSetting);
-    connect(&machine_, &MachineModel::changeRequested, this, [this](const Machine& machine) {
-        document_.change([] { return tr("Change the machine"); },
-                         withPlan(*document_.project(), machine, settings()));
-    });
+    connect(&machine_, &MachineModel::changeRequested, this, &Planning::changeMachine);
     connect(&document_, &Document::projectChanged, this, &Planning::followDocument);
     connect(&document_, &Document::dragEnded, this, [this] {
         if (draftAsked_) {
@@ -172,6 +171,21 @@ void Planning::changeSetting(const Parameter* parameter, const SettingValue& val
     document_.change([parameter] { return tr("Change: %1").arg(shown(parameter->name)); },
                      withPlan(*document_.project(), machine_.machine(), changed), fromStd(parameter->key),
                      live ? Document::Follows::More : Document::Follows::Nothing);
+}
+
+void Planning::changeMachine(const Machine& machine) {
+    Settings changed = settings();
+    // A sprayer sprays. Other numbers of the same machine say nothing of that.
+    if (const std::string_view usual = usualOperation(machine); machine.id() != machine_.machine().id() &&
+                                                                !usual.empty() &&
+                                                                usual != settings().choice(kOperationKind)) {
+        if (changed.setText(kOperationKind, std::string{usual})) {
+            clearOthers(changed, kOperationKind, changed.value(kOperationKind));
+        }
+    }
+    document_.change([] { return tr("Change the machine"); },
+                     withPlan(*document_.project(), machine, changed));
+    rememberMachine(machine, changed);
 }
 
 void Planning::apply(const SettingChange& change) {

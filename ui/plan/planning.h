@@ -79,6 +79,8 @@ private:
     void followDocument();
     /// What was planned before belongs to another field.
     void begin(const Source& source);
+    /// With the operation that another machine is made for.
+    void changeMachine(const Machine& machine);
     void changeSetting(const Parameter* parameter, const SettingValue& value, bool live);
     /// Whether the plan will be long in coming, as far as can be told.
     bool startsWithADraft() const;

@@ -1,6 +1,7 @@
 #include "ui/project/document.h"
 
 #include "ui/project/change_command.h"
+#include "ui/project/last_machine.h"
 #include "ui/text/display.h"
 
 #include <utility>
@@ -8,7 +9,7 @@
 namespace furrow {
 
 Document::Document(QObject* parent)
-    : QObject{parent}, base_{std::make_shared<const Project>(Project::empty())}, project_{base_} {
+    : QObject{parent}, base_{std::make_shared<const Project>(freshProject())}, project_{base_} {
     connect(&stack_, &QUndoStack::indexChanged, this, &Document::historyChanged);
     connect(&stack_, &QUndoStack::cleanChanged, this, &Document::historyChanged);
     connect(&Display::instance(), &Display::changed, this, &Document::historyChanged);

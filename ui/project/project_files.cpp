@@ -1,5 +1,6 @@
 #include "ui/project/project_files.h"
 
+#include "ui/project/last_machine.h"
 #include "ui/text/display.h"
 
 #include <QDir>
@@ -182,7 +183,7 @@ void ProjectFiles::begin() {
     setPath({}, {});
     tell(Trouble::None);
     History history;
-    history.base = std::make_shared<const Project>(Project::empty());
+    history.base = std::make_shared<const Project>(freshProject());
     history.saved = 0;
     document_.begin(history);
 }

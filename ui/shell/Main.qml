@@ -19,6 +19,7 @@ import Furrow.Report
 import Furrow.Results
 import Furrow.Review
 import Furrow.Settings
+import Furrow.Trouble
 
 /// The window: top bar, steps, map, results.
 ApplicationWindow {
@@ -181,6 +182,7 @@ ApplicationWindow {
         onKeysRequested: keysDialog.open()
         onGuideRequested: root.guideOpen ? root.closeGuide() : root.showGuide()
         onAboutRequested: aboutDialog.open()
+        onTroubleRequested: troubleDialog.open()
         onPreferencesRequested: preferencesDialog.open()
         onTourRequested: tour.start()
         onQuitRequested: root.close()
@@ -214,6 +216,12 @@ ApplicationWindow {
 
         anchors.centerIn: Overlay.overlay
         commands: appCommands.all
+    }
+    TroubleDialog {
+        id: troubleDialog
+
+        anchors.centerIn: Overlay.overlay
+        report: root.session.trouble
     }
     AboutDialog {
         id: aboutDialog
@@ -460,6 +468,12 @@ ApplicationWindow {
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
+        CrashNotice {
+            z: 1
+            anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: page.clearOfScale(width) }
+            report: root.session.trouble
+            onReportRequested: troubleDialog.open()
+        }
         ImageryNotice {
             z: 1
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
@@ -477,7 +491,7 @@ ApplicationWindow {
             anchors.centerIn: parent
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
-            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && root.session.imagery.count === 0 && !tour.running
+            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && root.session.imagery.count === 0
             opener: root.session.opener
             recent: root.session.recent
             onOpenRequested: dialogs.open()
@@ -660,11 +674,14 @@ ApplicationWindow {
     Tour {
         id: tour
 
-        anchors.fill: parent
+        anchors { left: parent.left; right: root.rightPanel.left; top: parent.top; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         z: 10
-        farm: root.session.farm
-        opener: root.session.opener
-        places: [null, steps, page, page.toolBar, results, topBar.exportButton]
+        hasField: root.session.farm.hasField
+        machineName: root.session.planning.machine.name
+        dragging: page.editor.dragging
+        exporting: exportDialog.opened
+        places: [steps, steps, page, topBar.exportButton]
+        onTaskRequested: task => root.beginTask(task)
     }
     Connections {
         target: root.session.planning
@@ -689,6 +706,19 @@ ApplicationWindow {
         }
     }
 
+    /// What a task of the tour is about, opened.
+    function beginTask(task: int): void {
+        if (task === 0 && !root.session.farm.hasField) {
+            root.session.opener.openSample(Math.max(0, root.session.opener.sampleNames.indexOf("Home Field")));
+        } else if (task === 1) {
+            root.stepsWanted = true;
+            steps.openStep = "machine";
+        } else if (task === 2) {
+            page.startTool(FieldEditor.Select);
+        } else if (task === 3 && root.session.farm.hasField) {
+            exportDialog.open();
+        }
+    }
     /// The results, in place of whatever stands there or over them.
     function openResults(): void {
         root.guideOpen = false;

@@ -20,6 +20,7 @@ void Session::keepIn(const QString& folder) {
     const QDir place{folder};
     files_.keepIn(place.filePath(QStringLiteral("history")));
     farmPlans_.keepIn(place.filePath(QStringLiteral("plans.json")));
+    trouble_.keepIn(place.filePath(QStringLiteral("crashes")));
     recent_.keepIn(place.filePath(QStringLiteral("recent.json")));
 }
 

@@ -21,6 +21,7 @@
 #include "ui/results/findings_model.h"
 #include "ui/results/plan_change.h"
 #include "ui/review/review_model.h"
+#include "ui/trouble/trouble_report.h"
 
 #include <QtQml/qqmlregistration.h>
 #include <QObject>
@@ -54,6 +55,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
     Q_PROPERTY(furrow::Printing* printing READ printing CONSTANT FINAL)
+    Q_PROPERTY(furrow::TroubleReport* trouble READ trouble CONSTANT FINAL)
 
 public:
     explicit Session(QObject* parent = nullptr);
@@ -79,6 +81,7 @@ public:
     ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
     Printing* printing() { return &printing_; }
+    TroubleReport* trouble() { return &trouble_; }
 
     /// Keeps journals of what is done, and the list of recent files, in this folder.
     void keepIn(const QString& folder);
@@ -108,6 +111,7 @@ private:
     ReviewModel review_{document_};
     ExportModel exporter_;
     Printing printing_{document_};
+    TroubleReport trouble_{document_, shown_};
 };
 
 }  // namespace furrow

@@ -88,7 +88,7 @@ class TestCellsWindow : public EditorWindowTest {
     const DecompositionHistory& history() const { return session_->shown()->plan()->cells.history; }
     int stepCount() const { return static_cast<int>(history().steps.size()); }
     QString cellsAfter(int step) const {
-        return QStringLiteral("%1 cells").arg(history().steps[static_cast<std::size_t>(step)].cells);
+        return QStringLiteral("%1 blocks").arg(history().steps[static_cast<std::size_t>(step)].cells);
     }
     /// The first step that saves something: what has no swath goes to a neighbour before anything is joined.
     int firstJoin() const {

@@ -242,7 +242,7 @@ private slots:
         QCOMPARE(display().language(), QStringLiteral("de"));
         QVERIFY(!renamed.isEmpty());
         QTRY_COMPARE(steps(), (QStringList{"Schlag", "Maschine", "Vorgewende", "Spuren", "Teilflächen",
-                                           "Fahrroute", "Wendungen", "Prüfung"}));
+                                           "Fahrroute", "Wendungen", "Prüfung", "Export"}));
         QVERIFY2(result(2).contains(QStringLiteral("Innenfläche")), qPrintable(result(2)));
         QVERIFY2(session_->planning()->statusText().startsWith(QStringLiteral("Plan fertig")),
                  qPrintable(session_->planning()->statusText()));

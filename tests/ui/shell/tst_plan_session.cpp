@@ -1,11 +1,14 @@
+#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
+#include "planner/settings/operation.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/drawn_boundary.h"
 #include "ui/shell/session.h"
 
 #include <QAbstractItemModelTester>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -106,6 +109,42 @@ private slots:
         QVERIFY(session.planning()->statusText().startsWith(QStringLiteral("Plan ready")));
         // 0.007 by 0.0035 degrees at 58.25 north are some 411 by 390 metres.
         QVERIFY(figure(session, 0).startsWith(QStringLiteral("16.")));
+    }
+    // A sprayer sprays; it is one step to take back. Another number of the same machine changes nothing of
+    // it.
+    void aMachineBringsItsOperation() {
+        Session session;
+        session.opener()->addDrawn(drawnRectangle());
+        const auto operation = [&session] {
+            return QString::fromStdString(session.planning()->settings().choice(kOperationKind));
+        };
+        const auto indexOf = [](std::string_view id) {
+            const auto library = machineLibrary();
+            return static_cast<int>(std::ranges::find(library, id, &Machine::id) - library.begin());
+        };
+        QCOMPARE(operation(), QStringLiteral("tillage"));
+        session.planning()->machine()->setLibraryIndex(indexOf("trailed-sprayer"));
+        QCOMPARE(operation(), QStringLiteral("spraying"));
+        session.document()->undo();
+        QCOMPARE(operation(), QStringLiteral("tillage"));
+        QCOMPARE(session.planning()->machine()->machine().id(), machineLibrary().front().id());
+        session.document()->redo();
+        session.planning()->apply({.key = "operation.kind", .value = "spreading"});
+        QCOMPARE(operation(), QStringLiteral("spreading"));
+        session.planning()->machine()->setNumber(0, 20.0);
+        QCOMPARE(operation(), QStringLiteral("spreading"));
+        // The next project begins with it.
+        session.opener()->startNew();
+        QCOMPARE(session.planning()->machine()->machine().id(), std::string{"trailed-sprayer"});
+        QCOMPARE(session.planning()->machine()->machine().operatingWidth().si(), 20.0);
+        QSettings{}.clear();
+    }
+    void everyMachineHasAnOperation() {
+        for (const Machine& machine : machineLibrary()) {
+            Settings settings;
+            QVERIFY2(settings.setText(kOperationKind, std::string{usualOperation(machine)}),
+                     machine.id().c_str());
+        }
     }
     void aNumberChangesThePlan() {
         Session session;

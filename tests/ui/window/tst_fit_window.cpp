@@ -119,7 +119,7 @@ private slots:
         session_->opener()->openSample(
             static_cast<int>(session_->opener()->sampleNames().indexOf(QStringLiteral("Slanted Field"))));
         QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
-        for (const char* button : {"exportButton", "undoButton", "statusChip", "scaleBar", "stepsPanel"}) {
+        for (const char* button : {"exportButton", "undoButton", "statusChip", "scaleBar", "stepsSwitch"}) {
             QTRY_VERIFY2(isReachable(QLatin1String{button}), button);
         }
         picture(QStringLiteral("fit-%1").arg(name));
@@ -152,7 +152,14 @@ private slots:
         picture(QStringLiteral("fit-%1-preferences").arg(name));
         click(QStringLiteral("preferences.close"));
         QTRY_VERIFY(!isReachable(QStringLiteral("preferences.close")));
-        // The last step: scrolled to by keys, and what it leads to.
+        // The last step: scrolled to by keys, and what it leads to. In a small window the steps are a drawer.
+        const bool drawer = size.width() < 860;
+        QCOMPARE(isReachable(QStringLiteral("stepsPanel")), !drawer);
+        if (drawer) {
+            key(Qt::Key_F7);
+            QTRY_VERIFY(isReachable(QStringLiteral("stepsPanel")));
+            picture(QStringLiteral("fit-%1-steps").arg(name));
+        }
         item(QStringLiteral("step.check"))->forceActiveFocus(Qt::TabFocusReason);
         QTRY_VERIFY(isReachable(QStringLiteral("step.check")));
         picture(QStringLiteral("fit-%1-check").arg(name));
