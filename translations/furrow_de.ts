@@ -566,6 +566,14 @@
         <source>version licence credits</source>
         <translation>Version Lizenz Danksagung</translation>
     </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Ein Problem melden…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>Fehler Absturz Hilfe</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -803,6 +811,25 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Mit dem anderen Plan weiter</translation>
+    </message>
+</context>
+<context>
+    <name>CrashNotice</name>
+    <message>
+        <source>Furrow ended unexpectedly the last time.</source>
+        <translation>Furrow wurde beim letzten Mal unerwartet beendet.</translation>
+    </message>
+    <message>
+        <source>Your work was kept up to the last half second. What happened is recorded on this computer; a report helps to mend it.</source>
+        <translation>Ihre Arbeit ist bis auf die letzte halbe Sekunde erhalten. Was geschah, ist auf diesem Computer aufgezeichnet; ein Bericht hilft, es zu beheben.</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Ein Problem melden…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -1614,6 +1641,22 @@
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
         <translation>Gefahren als Nummer %1 von %2: %3 in %4.</translation>
+    </message>
+    <message>
+        <source>From the edge</source>
+        <translation>Vom Rand entfernt</translation>
+    </message>
+    <message>
+        <source>Instead: %1</source>
+        <translation>Stattdessen: %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>kein Platz</translation>
     </message>
 </context>
 <context>
@@ -6830,72 +6873,87 @@
 <context>
     <name>Tour</name>
     <message>
-        <source>Welcome to Furrow</source>
-        <translation>Willkommen bei Furrow</translation>
+        <source>Get a field</source>
+        <translation>Einen Schlag holen</translation>
     </message>
     <message>
-        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
-        <translation>In drei Minuten vom Schlag zum fahrbaren Plan. Ein Beispielschlag wird für Sie geöffnet; Strg+Z macht alles rückgängig. Sie können jederzeit aufhören: Der Rundgang steht im Menü „Hilfe“.</translation>
+        <source>Open its boundary, draw it, or press here for a sample.</source>
+        <translation>Grenze öffnen, zeichnen oder hier für ein Beispiel drücken.</translation>
     </message>
     <message>
-        <source>The steps</source>
-        <translation>Die Schritte</translation>
+        <source>Choose your machine</source>
+        <translation>Ihre Maschine wählen</translation>
     </message>
     <message>
-        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
-        <translation>Von oben nach unten: der Schlag, die Maschine und wie sie arbeitet. Jeder Schritt sagt, was gewählt ist und was daraus wurde; klicken Sie einen an, um ihn zu ändern. Jede Änderung plant sofort neu.</translation>
+        <source>The second step: the one most like yours, then its width.</source>
+        <translation>Der zweite Schritt: die ähnlichste, dann ihre Breite.</translation>
     </message>
     <message>
-        <source>The map</source>
-        <translation>Die Karte</translation>
+        <source>Change the field</source>
+        <translation>Den Schlag ändern</translation>
     </message>
     <message>
-        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
-        <translation>Ziehen Sie an einer Ecke des Schlags, der Plan folgt. Das Mausrad zoomt, Ziehen am Grund verschiebt die Karte. Der Punkt in der Mitte einer Kante ergibt eine weitere Ecke; Alt löst das Einrasten.</translation>
+        <source>Drag a corner on the map. The plan follows; Ctrl+Z takes it back.</source>
+        <translation>Eine Ecke auf der Karte ziehen. Der Plan folgt; Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
-        <source>The tools</source>
-        <translation>Die Werkzeuge</translation>
+        <source>Take it to the tractor</source>
+        <translation>Auf den Schlepper bringen</translation>
     </message>
     <message>
-        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
-        <translation>Zeichnen Sie einen Schlag, eine Aussparung, ein Hindernis, eine AB-Linie oder eine Zufahrt. Die unterste Schaltfläche zeigt die Ebenen: was vom Plan gezeichnet wird und darunter Ihre eigenen Luftbilder oder Höhen.</translation>
+        <source>Export writes the plan to a stick or a folder and checks it.</source>
+        <translation>Der Export schreibt den Plan auf einen Stick oder in einen Ordner und prüft ihn.</translation>
     </message>
     <message>
-        <source>What came out</source>
-        <translation>Das Ergebnis</translation>
+        <source>That is all</source>
+        <translation>Das ist alles</translation>
     </message>
     <message>
-        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
-        <translation>Fläche, Weg und Zeit und was aufgefallen ist: Klicken Sie einen Hinweis an, und die Karte geht dorthin. Hinweise, die das Fahren verhindern, stehen zuerst, mit dem, was helfen würde.</translation>
+        <source>First things</source>
+        <translation>Die ersten Schritte</translation>
     </message>
     <message>
-        <source>To the terminal</source>
-        <translation>Zum Terminal</translation>
+        <source>Leave; it is in the Help menu</source>
+        <translation>Verlassen; steht im Menü Hilfe</translation>
     </message>
     <message>
-        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
-        <translation>„Exportieren“ schreibt den Plan für viele Terminals in einen Ordner oder auf einen USB-Stick, liest ihn zurück und vergleicht ihn. Speichern Sie dann das Projekt: Strg+S. Strg+K findet jeden Befehl nach seinem Namen.</translation>
+        <source>%1: done</source>
+        <translation>%1: erledigt</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <source>Ctrl+S saves the project, F1 opens the guide.</source>
+        <translation>Strg+S speichert das Projekt, F1 öffnet das Handbuch.</translation>
+    </message>
+</context>
+<context>
+    <name>TroubleDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Ein Problem melden</translation>
     </message>
     <message>
-        <source>Leave</source>
-        <translation>Beenden</translation>
+        <source>One file with all that is needed to find the cause: the version, the machine, the settings, the shape of the field, the findings, and the record of the last crash. No names and no other fields are in it.</source>
+        <translation>Eine Datei mit allem, was zum Finden der Ursache nötig ist: Version, Maschine, Einstellungen, Form des Schlags, Hinweise und die Aufzeichnung des letzten Absturzes. Namen und andere Schläge sind nicht darin.</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
+        <source>Nothing is sent. You decide who gets the file; write to them what you did and what you expected.</source>
+        <translation>Nichts wird gesendet. Sie entscheiden, wer die Datei bekommt; schreiben Sie dazu, was Sie getan und was Sie erwartet haben.</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
+        <source>Save the report…</source>
+        <translation>Bericht speichern…</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Reports (%1)</source>
+        <translation>Berichte (%1)</translation>
     </message>
 </context>
 <context>
@@ -8842,6 +8900,17 @@
     <message>
         <source>Change the order of swaths</source>
         <translation>Reihenfolge der Spuren ändern</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::TroubleReport</name>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Der Bericht konnte nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Der Bericht liegt in %1.</translation>
     </message>
 </context>
 </TS>

@@ -566,6 +566,14 @@
         <source>version licence credits</source>
         <translation>versión licencia créditos</translation>
     </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Informar de un problema…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>error fallo soporte</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -803,6 +811,25 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Seguir con el otro plan</translation>
+    </message>
+</context>
+<context>
+    <name>CrashNotice</name>
+    <message>
+        <source>Furrow ended unexpectedly the last time.</source>
+        <translation>Furrow se cerró inesperadamente la última vez.</translation>
+    </message>
+    <message>
+        <source>Your work was kept up to the last half second. What happened is recorded on this computer; a report helps to mend it.</source>
+        <translation>Su trabajo se conservó hasta el último medio segundo. Lo ocurrido está registrado en este ordenador; un informe ayuda a corregirlo.</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Informar de un problema…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -1614,6 +1641,22 @@
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
         <translation>Se recorre con el número %1 de %2: %3 en %4.</translation>
+    </message>
+    <message>
+        <source>From the edge</source>
+        <translation>Distancia al borde</translation>
+    </message>
+    <message>
+        <source>Instead: %1</source>
+        <translation>En su lugar: %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>unos %1</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>no cabe</translation>
     </message>
 </context>
 <context>
@@ -6830,72 +6873,87 @@
 <context>
     <name>Tour</name>
     <message>
-        <source>Welcome to Furrow</source>
-        <translation>Bienvenido a Furrow</translation>
+        <source>Get a field</source>
+        <translation>Consiga una parcela</translation>
     </message>
     <message>
-        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
-        <translation>En tres minutos, de una parcela a un plan que se puede conducir. Se abre una parcela de ejemplo para usted; Ctrl+Z lo deshace todo. Salga cuando quiera: el recorrido guiado está en el menú Ayuda.</translation>
+        <source>Open its boundary, draw it, or press here for a sample.</source>
+        <translation>Abra su límite, dibújelo o pulse aquí para ver un ejemplo.</translation>
     </message>
     <message>
-        <source>The steps</source>
-        <translation>Los pasos</translation>
+        <source>Choose your machine</source>
+        <translation>Elija su máquina</translation>
     </message>
     <message>
-        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
-        <translation>De arriba abajo: la parcela, la máquina y cómo trabaja. Cada paso dice qué se ha elegido y qué ha resultado; pulse uno para cambiarlo. Cada cambio planifica de nuevo al instante.</translation>
+        <source>The second step: the one most like yours, then its width.</source>
+        <translation>El segundo paso: la más parecida a la suya y luego su ancho.</translation>
     </message>
     <message>
-        <source>The map</source>
-        <translation>El mapa</translation>
+        <source>Change the field</source>
+        <translation>Cambie la parcela</translation>
     </message>
     <message>
-        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
-        <translation>Arrastre una esquina de la parcela y vea cómo la sigue el plan. La rueda amplía, arrastrar el fondo mueve el mapa. El punto en medio de un borde crea otra esquina; Alt suelta el ajuste automático.</translation>
+        <source>Drag a corner on the map. The plan follows; Ctrl+Z takes it back.</source>
+        <translation>Arrastre una esquina en el mapa. El plan la sigue; Ctrl+Z lo deshace.</translation>
     </message>
     <message>
-        <source>The tools</source>
-        <translation>Las herramientas</translation>
+        <source>Take it to the tractor</source>
+        <translation>Llévelo al tractor</translation>
     </message>
     <message>
-        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
-        <translation>Dibuje una parcela, un hueco, un obstáculo, una línea AB o una entrada. El botón inferior muestra las capas: lo que se dibuja del plan y, debajo, sus propias fotos aéreas o alturas.</translation>
+        <source>Export writes the plan to a stick or a folder and checks it.</source>
+        <translation>La exportación escribe el plan en una memoria o carpeta y lo comprueba.</translation>
     </message>
     <message>
-        <source>What came out</source>
-        <translation>El resultado</translation>
+        <source>That is all</source>
+        <translation>Eso es todo</translation>
     </message>
     <message>
-        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
-        <translation>Superficie, distancia y tiempo, y lo que se ha encontrado: pulse un aviso y el mapa va allí. Los avisos que impiden conducir van primero, con lo que ayudaría.</translation>
+        <source>First things</source>
+        <translation>Primeros pasos</translation>
     </message>
     <message>
-        <source>To the terminal</source>
-        <translation>Al terminal</translation>
+        <source>Leave; it is in the Help menu</source>
+        <translation>Salir; está en el menú Ayuda</translation>
     </message>
     <message>
-        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
-        <translation>Exportar escribe el plan en una carpeta o en una memoria USB, para muchos terminales, lo vuelve a leer y lo compara. Después guarde el proyecto: Ctrl+S. Ctrl+K encuentra cualquier orden por su nombre.</translation>
+        <source>%1: done</source>
+        <translation>%1: hecho</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
+        <source>Ctrl+S saves the project, F1 opens the guide.</source>
+        <translation>Ctrl+S guarda el proyecto, F1 abre la guía.</translation>
+    </message>
+</context>
+<context>
+    <name>TroubleDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Informar de un problema</translation>
     </message>
     <message>
-        <source>Leave</source>
-        <translation>Salir</translation>
+        <source>One file with all that is needed to find the cause: the version, the machine, the settings, the shape of the field, the findings, and the record of the last crash. No names and no other fields are in it.</source>
+        <translation>Un archivo con todo lo necesario para hallar la causa: la versión, la máquina, los ajustes, la forma de la parcela, los avisos y el registro del último fallo. No lleva nombres ni otras parcelas.</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>Atrás</translation>
+        <source>Nothing is sent. You decide who gets the file; write to them what you did and what you expected.</source>
+        <translation>No se envía nada. Usted decide quién recibe el archivo; escriba qué hizo y qué esperaba.</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Siguiente</translation>
+        <source>Save the report…</source>
+        <translation>Guardar el informe…</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Listo</translation>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Reports (%1)</source>
+        <translation>Informes (%1)</translation>
     </message>
 </context>
 <context>
@@ -8842,6 +8900,17 @@
     <message>
         <source>Change the order of swaths</source>
         <translation>Cambiar el orden de las pasadas</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::TroubleReport</name>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>No se pudo escribir el informe: %1</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>El informe está en %1.</translation>
     </message>
 </context>
 </TS>

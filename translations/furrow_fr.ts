@@ -566,6 +566,14 @@
         <source>version licence credits</source>
         <translation>version licence crédits</translation>
     </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Signaler un problème…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>bogue plantage assistance erreur</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -803,6 +811,25 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Continuer avec l’autre plan</translation>
+    </message>
+</context>
+<context>
+    <name>CrashNotice</name>
+    <message>
+        <source>Furrow ended unexpectedly the last time.</source>
+        <translation>Furrow s’est arrêté de façon inattendue la dernière fois.</translation>
+    </message>
+    <message>
+        <source>Your work was kept up to the last half second. What happened is recorded on this computer; a report helps to mend it.</source>
+        <translation>Votre travail est conservé jusqu’à la dernière demi-seconde. Ce qui s’est passé est enregistré sur cet ordinateur ; un rapport aide à le corriger.</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Signaler un problème…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -1614,6 +1641,22 @@
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
         <translation>Parcouru en numéro %1 sur %2 : %3 en %4.</translation>
+    </message>
+    <message>
+        <source>From the edge</source>
+        <translation>Distance du bord</translation>
+    </message>
+    <message>
+        <source>Instead: %1</source>
+        <translation>À la place : %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>pas la place</translation>
     </message>
 </context>
 <context>
@@ -6830,72 +6873,87 @@
 <context>
     <name>Tour</name>
     <message>
-        <source>Welcome to Furrow</source>
-        <translation>Bienvenue dans Furrow</translation>
+        <source>Get a field</source>
+        <translation>Prendre une parcelle</translation>
     </message>
     <message>
-        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
-        <translation>En trois minutes, d’une parcelle à un plan que l’on peut conduire. Une parcelle d’exemple est ouverte pour vous ; Ctrl+Z annule tout. Quittez quand vous voulez : la visite guidée se trouve dans le menu Aide.</translation>
+        <source>Open its boundary, draw it, or press here for a sample.</source>
+        <translation>Ouvrez sa limite, dessinez-la, ou appuyez ici pour un exemple.</translation>
     </message>
     <message>
-        <source>The steps</source>
-        <translation>Les étapes</translation>
+        <source>Choose your machine</source>
+        <translation>Choisir votre machine</translation>
     </message>
     <message>
-        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
-        <translation>De haut en bas : la parcelle, la machine et sa façon de travailler. Chaque étape indique ce qui est choisi et ce qui en résulte ; cliquez sur l’une d’elles pour la modifier. Chaque modification relance aussitôt la planification.</translation>
+        <source>The second step: the one most like yours, then its width.</source>
+        <translation>La deuxième étape : la plus proche de la vôtre, puis sa largeur.</translation>
     </message>
     <message>
-        <source>The map</source>
-        <translation>La carte</translation>
+        <source>Change the field</source>
+        <translation>Modifier la parcelle</translation>
     </message>
     <message>
-        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
-        <translation>Faites glisser un coin de la parcelle : le plan suit. La molette zoome, faire glisser le fond déplace la carte. Le point au milieu d’un bord crée un nouveau coin ; Alt suspend l’accrochage.</translation>
+        <source>Drag a corner on the map. The plan follows; Ctrl+Z takes it back.</source>
+        <translation>Tirez un coin sur la carte. Le plan suit ; Ctrl+Z annule.</translation>
     </message>
     <message>
-        <source>The tools</source>
-        <translation>Les outils</translation>
+        <source>Take it to the tractor</source>
+        <translation>L’emporter au tracteur</translation>
     </message>
     <message>
-        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
-        <translation>Dessinez une parcelle, une enclave, un obstacle, une ligne AB ou une entrée de parcelle. Le bouton du bas affiche les couches : ce qui est dessiné du plan et, dessous, vos propres photos aériennes ou altitudes.</translation>
+        <source>Export writes the plan to a stick or a folder and checks it.</source>
+        <translation>L’export écrit le plan sur une clé ou dans un dossier et le vérifie.</translation>
     </message>
     <message>
-        <source>What came out</source>
-        <translation>Le résultat</translation>
+        <source>That is all</source>
+        <translation>C’est tout</translation>
     </message>
     <message>
-        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
-        <translation>Surface, distance et temps, et ce qui a été relevé : cliquez sur une remarque et la carte s’y rend. Les remarques qui empêchent de rouler viennent en premier, avec ce qui aiderait.</translation>
+        <source>First things</source>
+        <translation>Premiers pas</translation>
     </message>
     <message>
-        <source>To the terminal</source>
-        <translation>Vers la console</translation>
+        <source>Leave; it is in the Help menu</source>
+        <translation>Quitter ; dans le menu Aide</translation>
     </message>
     <message>
-        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
-        <translation>« Exporter » écrit le plan dans un dossier ou sur une clé USB, pour de nombreuses consoles, le relit et le compare. Enregistrez ensuite le projet : Ctrl+S. Ctrl+K trouve chaque commande par son nom.</translation>
+        <source>%1: done</source>
+        <translation>%1 : fait</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
+        <source>Ctrl+S saves the project, F1 opens the guide.</source>
+        <translation>Ctrl+S enregistre le projet, F1 ouvre le guide.</translation>
+    </message>
+</context>
+<context>
+    <name>TroubleDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Signaler un problème</translation>
     </message>
     <message>
-        <source>Leave</source>
-        <translation>Quitter</translation>
+        <source>One file with all that is needed to find the cause: the version, the machine, the settings, the shape of the field, the findings, and the record of the last crash. No names and no other fields are in it.</source>
+        <translation>Un fichier avec tout ce qu’il faut pour trouver la cause : la version, la machine, les réglages, la forme de la parcelle, les remarques et l’enregistrement du dernier plantage. Aucun nom ni aucune autre parcelle n’y figure.</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>Retour</translation>
+        <source>Nothing is sent. You decide who gets the file; write to them what you did and what you expected.</source>
+        <translation>Rien n’est envoyé. Vous décidez qui reçoit le fichier ; écrivez ce que vous avez fait et ce que vous attendiez.</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Suivant</translation>
+        <source>Save the report…</source>
+        <translation>Enregistrer le rapport…</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Terminé</translation>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Reports (%1)</source>
+        <translation>Rapports (%1)</translation>
     </message>
 </context>
 <context>
@@ -8842,6 +8900,17 @@
     <message>
         <source>Change the order of swaths</source>
         <translation>Changer l’ordre des passages</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::TroubleReport</name>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Le rapport n’a pas pu être écrit : %1</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Le rapport est dans %1.</translation>
     </message>
 </context>
 </TS>

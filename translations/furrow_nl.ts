@@ -566,6 +566,14 @@
         <source>version licence credits</source>
         <translation>versie licentie dankwoord</translation>
     </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Een probleem melden…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>fout crash ondersteuning</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -803,6 +811,25 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Verder met het andere plan</translation>
+    </message>
+</context>
+<context>
+    <name>CrashNotice</name>
+    <message>
+        <source>Furrow ended unexpectedly the last time.</source>
+        <translation>Furrow is de vorige keer onverwacht gestopt.</translation>
+    </message>
+    <message>
+        <source>Your work was kept up to the last half second. What happened is recorded on this computer; a report helps to mend it.</source>
+        <translation>Uw werk is bewaard tot de laatste halve seconde. Wat er gebeurde, is op deze computer vastgelegd; een verslag helpt om het te verhelpen.</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Een probleem melden…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
     </message>
 </context>
 <context>
@@ -1614,6 +1641,22 @@
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
         <translation>Gereden als nummer %1 van %2: %3 in %4.</translation>
+    </message>
+    <message>
+        <source>From the edge</source>
+        <translation>Afstand tot de rand</translation>
+    </message>
+    <message>
+        <source>Instead: %1</source>
+        <translation>In plaats daarvan: %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>ongeveer %1</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>geen ruimte</translation>
     </message>
 </context>
 <context>
@@ -6830,72 +6873,87 @@
 <context>
     <name>Tour</name>
     <message>
-        <source>Welcome to Furrow</source>
-        <translation>Welkom bij Furrow</translation>
+        <source>Get a field</source>
+        <translation>Een perceel nemen</translation>
     </message>
     <message>
-        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
-        <translation>In drie minuten van perceel naar een plan dat te rijden is. Er wordt een voorbeeldperceel voor u geopend; Ctrl+Z maakt alles ongedaan. U kunt op elk moment stoppen: de rondleiding staat in het menu Help.</translation>
+        <source>Open its boundary, draw it, or press here for a sample.</source>
+        <translation>Open de grens, teken haar, of druk hier voor een voorbeeld.</translation>
     </message>
     <message>
-        <source>The steps</source>
-        <translation>De stappen</translation>
+        <source>Choose your machine</source>
+        <translation>Uw machine kiezen</translation>
     </message>
     <message>
-        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
-        <translation>Van boven naar beneden: het perceel, de machine en hoe zij werkt. Elke stap zegt wat er gekozen is en wat het opleverde; klik op een stap om die te wijzigen. Elke wijziging plant meteen opnieuw.</translation>
+        <source>The second step: the one most like yours, then its width.</source>
+        <translation>De tweede stap: die het meest op de uwe lijkt, dan de breedte.</translation>
     </message>
     <message>
-        <source>The map</source>
-        <translation>De kaart</translation>
+        <source>Change the field</source>
+        <translation>Het perceel veranderen</translation>
     </message>
     <message>
-        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
-        <translation>Sleep een hoek van het perceel en het plan volgt. Het wiel zoomt, slepen aan de ondergrond verschuift de kaart. De stip midden op een rand maakt een nieuwe hoek; Alt schakelt het vastklikken uit.</translation>
+        <source>Drag a corner on the map. The plan follows; Ctrl+Z takes it back.</source>
+        <translation>Sleep een hoek op de kaart. Het plan volgt; Ctrl+Z neemt het terug.</translation>
     </message>
     <message>
-        <source>The tools</source>
-        <translation>De gereedschappen</translation>
+        <source>Take it to the tractor</source>
+        <translation>Naar de trekker brengen</translation>
     </message>
     <message>
-        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
-        <translation>Teken een perceel, een gat, een obstakel, een AB-lijn of een inrit. De onderste knop toont de lagen: wat er van het plan getekend wordt, en daaronder uw eigen luchtfoto’s of hoogten.</translation>
+        <source>Export writes the plan to a stick or a folder and checks it.</source>
+        <translation>Exporteren schrijft het plan naar een stick of map en controleert het.</translation>
     </message>
     <message>
-        <source>What came out</source>
-        <translation>Het resultaat</translation>
+        <source>That is all</source>
+        <translation>Dat is alles</translation>
     </message>
     <message>
-        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
-        <translation>Oppervlakte, weg en tijd, en wat er gevonden is: klik op een bevinding en de kaart gaat erheen. Bevindingen die het rijden verhinderen staan bovenaan, met wat zou helpen.</translation>
+        <source>First things</source>
+        <translation>Eerste stappen</translation>
     </message>
     <message>
-        <source>To the terminal</source>
-        <translation>Naar de terminal</translation>
+        <source>Leave; it is in the Help menu</source>
+        <translation>Verlaten; staat in het menu Help</translation>
     </message>
     <message>
-        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
-        <translation>Exporteren schrijft het plan voor vele terminals naar een map of een USB-stick, leest het terug en vergelijkt het. Sla daarna het project op: Ctrl+S. Ctrl+K vindt elke opdracht op naam.</translation>
+        <source>%1: done</source>
+        <translation>%1: klaar</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 van %2</translation>
+        <source>Ctrl+S saves the project, F1 opens the guide.</source>
+        <translation>Ctrl+S bewaart het project, F1 opent de handleiding.</translation>
+    </message>
+</context>
+<context>
+    <name>TroubleDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Een probleem melden</translation>
     </message>
     <message>
-        <source>Leave</source>
-        <translation>Stoppen</translation>
+        <source>One file with all that is needed to find the cause: the version, the machine, the settings, the shape of the field, the findings, and the record of the last crash. No names and no other fields are in it.</source>
+        <translation>Eén bestand met alles wat nodig is om de oorzaak te vinden: de versie, de machine, de instellingen, de vorm van het perceel, de bevindingen en het verslag van de laatste crash. Er staan geen namen en geen andere percelen in.</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>Terug</translation>
+        <source>Nothing is sent. You decide who gets the file; write to them what you did and what you expected.</source>
+        <translation>Er wordt niets verstuurd. U bepaalt wie het bestand krijgt; schrijf erbij wat u deed en wat u verwachtte.</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Volgende</translation>
+        <source>Save the report…</source>
+        <translation>Verslag opslaan…</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Klaar</translation>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Verslag opslaan</translation>
+    </message>
+    <message>
+        <source>Reports (%1)</source>
+        <translation>Verslagen (%1)</translation>
     </message>
 </context>
 <context>
@@ -8842,6 +8900,17 @@
     <message>
         <source>Change the order of swaths</source>
         <translation>Volgorde van werkgangen wijzigen</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::TroubleReport</name>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Het verslag kon niet worden geschreven: %1</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Het verslag staat in %1.</translation>
     </message>
 </context>
 </TS>

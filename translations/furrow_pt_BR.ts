@@ -566,6 +566,14 @@
         <source>version licence credits</source>
         <translation>versão licença créditos</translation>
     </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Relatar um problema…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>erro falha suporte</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -803,6 +811,25 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Continuar com o outro plano</translation>
+    </message>
+</context>
+<context>
+    <name>CrashNotice</name>
+    <message>
+        <source>Furrow ended unexpectedly the last time.</source>
+        <translation>O Furrow fechou inesperadamente da última vez.</translation>
+    </message>
+    <message>
+        <source>Your work was kept up to the last half second. What happened is recorded on this computer; a report helps to mend it.</source>
+        <translation>Seu trabalho foi guardado até o último meio segundo. O que aconteceu está registrado neste computador; um relatório ajuda a corrigir.</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Relatar um problema…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
     </message>
 </context>
 <context>
@@ -1614,6 +1641,22 @@
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
         <translation>Percorrida como número %1 de %2: %3 em %4.</translation>
+    </message>
+    <message>
+        <source>From the edge</source>
+        <translation>Distância da borda</translation>
+    </message>
+    <message>
+        <source>Instead: %1</source>
+        <translation>Em vez disso: %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>cerca de %1</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>não cabe</translation>
     </message>
 </context>
 <context>
@@ -6830,72 +6873,87 @@
 <context>
     <name>Tour</name>
     <message>
-        <source>Welcome to Furrow</source>
-        <translation>Bem-vindo ao Furrow</translation>
+        <source>Get a field</source>
+        <translation>Obtenha um talhão</translation>
     </message>
     <message>
-        <source>In three minutes from a field to a plan that can be driven. A sample field is opened for you; Ctrl+Z takes everything back. Leave whenever you like: the tour is in the Help menu.</source>
-        <translation>Em três minutos, de um talhão a um plano que pode ser conduzido. Um talhão de exemplo é aberto para você; Ctrl+Z desfaz tudo. Saia quando quiser: a visita guiada está no menu Ajuda.</translation>
+        <source>Open its boundary, draw it, or press here for a sample.</source>
+        <translation>Abra o limite, desenhe-o ou clique aqui para um exemplo.</translation>
     </message>
     <message>
-        <source>The steps</source>
-        <translation>As etapas</translation>
+        <source>Choose your machine</source>
+        <translation>Escolha sua máquina</translation>
     </message>
     <message>
-        <source>From top to bottom: the field, the machine, and how it works. Each step says what is chosen and what came of it; press one to change it. Every change plans anew at once.</source>
-        <translation>De cima para baixo: o talhão, a máquina e como ela trabalha. Cada etapa diz o que foi escolhido e o que resultou; clique em uma para alterá-la. Cada alteração planeja de novo na hora.</translation>
+        <source>The second step: the one most like yours, then its width.</source>
+        <translation>A segunda etapa: a mais parecida com a sua e depois a largura.</translation>
     </message>
     <message>
-        <source>The map</source>
-        <translation>O mapa</translation>
+        <source>Change the field</source>
+        <translation>Altere o talhão</translation>
     </message>
     <message>
-        <source>Drag a corner of the field and watch the plan follow. The wheel zooms, dragging the ground moves the map. The dot in the middle of an edge makes another corner; Alt lets go of what catches.</source>
-        <translation>Arraste um canto do talhão e veja o plano acompanhar. A roda amplia, arrastar o fundo move o mapa. O ponto no meio de uma borda cria outro canto; Alt solta o encaixe automático.</translation>
+        <source>Drag a corner on the map. The plan follows; Ctrl+Z takes it back.</source>
+        <translation>Arraste um canto no mapa. O plano acompanha; Ctrl+Z desfaz.</translation>
     </message>
     <message>
-        <source>The tools</source>
-        <translation>As ferramentas</translation>
+        <source>Take it to the tractor</source>
+        <translation>Leve ao trator</translation>
     </message>
     <message>
-        <source>Draw a field, a hole, an obstacle, an AB line or a gate. The lowest button shows the layers: what is drawn of the plan, and your own aerial photos or heights beneath it.</source>
-        <translation>Desenhe um talhão, um vazio, um obstáculo, uma linha AB ou uma entrada. O botão de baixo mostra as camadas: o que é desenhado do plano e, embaixo, suas próprias fotos aéreas ou altitudes.</translation>
+        <source>Export writes the plan to a stick or a folder and checks it.</source>
+        <translation>A exportação grava o plano em um pen drive ou pasta e o confere.</translation>
     </message>
     <message>
-        <source>What came out</source>
-        <translation>O resultado</translation>
+        <source>That is all</source>
+        <translation>É só isso</translation>
     </message>
     <message>
-        <source>Area, way and time, and what was found: press a finding and the map goes there. Findings in the way of driving come first, with what would help.</source>
-        <translation>Área, distância e tempo, e o que foi encontrado: clique em um aviso e o mapa vai até lá. Os avisos que impedem de conduzir vêm primeiro, com o que ajudaria.</translation>
+        <source>First things</source>
+        <translation>Primeiros passos</translation>
     </message>
     <message>
-        <source>To the terminal</source>
-        <translation>Para o terminal</translation>
+        <source>Leave; it is in the Help menu</source>
+        <translation>Sair; está no menu Ajuda</translation>
     </message>
     <message>
-        <source>Export writes the plan to a folder or a USB stick, for many terminals, reads it back and compares it. Then save the project: Ctrl+S. Ctrl+K finds every command by name.</source>
-        <translation>Exportar grava o plano em uma pasta ou em um pen drive, para muitos terminais, lê-o de volta e o compara. Depois salve o projeto: Ctrl+S. Ctrl+K encontra qualquer comando pelo nome.</translation>
+        <source>%1: done</source>
+        <translation>%1: feito</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
+        <source>Ctrl+S saves the project, F1 opens the guide.</source>
+        <translation>Ctrl+S salva o projeto, F1 abre o guia.</translation>
+    </message>
+</context>
+<context>
+    <name>TroubleDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Relatar um problema</translation>
     </message>
     <message>
-        <source>Leave</source>
-        <translation>Sair</translation>
+        <source>One file with all that is needed to find the cause: the version, the machine, the settings, the shape of the field, the findings, and the record of the last crash. No names and no other fields are in it.</source>
+        <translation>Um arquivo com tudo o que é preciso para achar a causa: a versão, a máquina, as configurações, a forma do talhão, os avisos e o registro da última falha. Não contém nomes nem outros talhões.</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>Voltar</translation>
+        <source>Nothing is sent. You decide who gets the file; write to them what you did and what you expected.</source>
+        <translation>Nada é enviado. Você decide quem recebe o arquivo; escreva o que fez e o que esperava.</translation>
     </message>
     <message>
-        <source>Next</source>
-        <translation>Avançar</translation>
+        <source>Save the report…</source>
+        <translation>Salvar o relatório…</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Concluir</translation>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Salvar o relatório</translation>
+    </message>
+    <message>
+        <source>Reports (%1)</source>
+        <translation>Relatórios (%1)</translation>
     </message>
 </context>
 <context>
@@ -8842,6 +8900,17 @@
     <message>
         <source>Change the order of swaths</source>
         <translation>Mudar a ordem das passadas</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::TroubleReport</name>
+    <message>
+        <source>The report could not be written: %1</source>
+        <translation>Não foi possível gravar o relatório: %1</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>O relatório está em %1.</translation>
     </message>
 </context>
 </TS>

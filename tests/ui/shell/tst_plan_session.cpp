@@ -113,6 +113,9 @@ private slots:
     // A sprayer sprays; it is one step to take back. Another number of the same machine changes nothing of
     // it.
     void aMachineBringsItsOperation() {
+        // What is remembered has a place of its own.
+        QCoreApplication::setOrganizationName(QStringLiteral("Furrow tests"));
+        QSettings{}.clear();
         Session session;
         session.opener()->addDrawn(drawnRectangle());
         const auto operation = [&session] {
@@ -138,6 +141,7 @@ private slots:
         QCOMPARE(session.planning()->machine()->machine().id(), std::string{"trailed-sprayer"});
         QCOMPARE(session.planning()->machine()->machine().operatingWidth().si(), 20.0);
         QSettings{}.clear();
+        QCoreApplication::setOrganizationName({});
     }
     void everyMachineHasAnOperation() {
         for (const Machine& machine : machineLibrary()) {
