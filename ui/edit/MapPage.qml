@@ -31,6 +31,8 @@ FocusScope {
     readonly property alias camera: camera
     readonly property alias editor: editor
     readonly property alias planLayer: plan
+    /// How near a traced line is kept to, m.
+    readonly property real traceTolerance: camera.zoomLevel > 0 && camera.center.isValid ? edit.traceTolerance() : 0
     readonly property alias toolBar: tools
     /// What lies over the plan and below the tools.
     property alias overlays: overlay.data

@@ -8,6 +8,8 @@ Rectangle {
     id: root
 
     required property FieldEditor editor
+    /// How near a traced line is kept to, m.
+    property real traceTolerance: 0
     readonly property int needed: editor.sketchNeeded
     readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : editor.tool === FieldEditor.Split ? qsTr("Click where the split line begins") : qsTr("Click where the AB line begins")
 
@@ -29,7 +31,7 @@ Rectangle {
         BodyText {
             anchors.verticalCenter: parent.verticalCenter
             visible: root.editor.sketchCount === 0
-            text: root.editor.freehand && root.editor.tool !== FieldEditor.Gate ? qsTr("Press and trace it with the pointer") : root.firstText
+            text: root.editor.freehand && root.editor.tool !== FieldEditor.Gate ? qsTr("Press and trace it with the pointer, to %1").arg(Display.quantities.text(root.traceTolerance, QuantityText.Length, 1) + " " + Display.quantities.unit(QuantityText.Length)) : root.firstText
         }
         NumberField {
             id: length

@@ -97,6 +97,10 @@ void EditLayer::setEditor(FieldEditor* editor) {
     emit editorChanged();
 }
 
+double EditLayer::traceTolerance() const {
+    return FieldEditor::kTraceShare * kReachPx * camera()->metresPerPixel();
+}
+
 void EditLayer::convert() {
     world_.clear();
     if (!editor_->shape()) {

@@ -31,6 +31,8 @@ public:
     void setEditor(FieldEditor* editor);
     /// What was clicked is dealt with: the editor need not look for it.
     Q_INVOKABLE void accept() { handled_ = true; }
+    /// How near a traced line is kept to at this zoom, m.
+    Q_INVOKABLE double traceTolerance() const;
 
 signals:
     void editorChanged();

@@ -222,7 +222,7 @@ void FieldEditor::drag(const Pointer& pointer) {
 void FieldEditor::release(const Pointer& pointer) {
     if (grip_ == Grip::Trace) {
         // Half the reach of the pointer is what a hand cannot do better anyway.
-        const Polyline line = simplified(frame_->toLocal(sketch_), 0.5 * pointer.reach);
+        const Polyline line = simplified(frame_->toLocal(sketch_), kTraceShare * pointer.reach);
         sketch_ = frame_->toGeo(line);
         endGrip();
         emit sketchChanged();

@@ -53,6 +53,9 @@ public:
         bool free = false;
     };
 
+    /// A traced line is kept to within this share of the pointer's reach.
+    static constexpr double kTraceShare = 0.5;
+
     explicit FieldEditor(QObject* parent = nullptr) : QObject{parent} {}
 
     Document* document() const { return document_; }

@@ -468,9 +468,16 @@ ApplicationWindow {
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
+        FarImageryNotice {
+            id: farImagery
+
+            z: 1
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
+            onGoRequested: page.camera.fit(area, 84, 72, 48, 72, true)
+        }
         CrashNotice {
             z: 1
-            anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: page.clearOfScale(width) }
+            anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
             report: root.session.trouble
             onReportRequested: troubleDialog.open()
         }
@@ -521,6 +528,7 @@ ApplicationWindow {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
             editor: page.editor
+            traceTolerance: page.traceTolerance
         }
         DropArea {
             id: drop
@@ -701,7 +709,9 @@ ApplicationWindow {
         target: root.session.imagery
 
         function onAdded(area: geoRectangle): void {
-            if (!root.session.farm.hasField)
+            if (root.session.farm.hasField)
+                farImagery.look(area, page.drawing.bounds);
+            else
                 page.camera.fit(area, 84, 72, 48, 72, false);
         }
     }

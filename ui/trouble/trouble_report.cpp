@@ -23,6 +23,8 @@ namespace {
 constexpr int kPauseMs = 1000;
 /// Of records that are kept: the last ones tell enough.
 constexpr qsizetype kMostRecords = 5;
+/// Of a field whose shape is in the record of a crash.
+constexpr std::size_t kMostPoints = 20'000;
 
 /// The field and the plan that are worked on, without what is private.
 Project withoutNames(const Project& project) {
@@ -57,6 +59,19 @@ Project withoutNames(const Project& project) {
     return bare;
 }
 
+std::size_t pointsOf(const Project& project) {
+    std::size_t points = 0;
+    if (const ProjectField* field = project.field()) {
+        for (const GeoPolygon& part : field->source->parts) {
+            points += part.outer.size();
+            for (const GeoRing& hole : part.holes) {
+                points += hole.size();
+            }
+        }
+    }
+    return points;
+}
+
 QJsonObject programJson() {
     return {{QStringLiteral("furrow"),
              QString::fromUtf8(kVersion.data(), static_cast<qsizetype>(kVersion.size()))},
@@ -89,8 +104,11 @@ void TroubleReport::keepIn(const QString& folder) {
 
 void TroubleReport::prepare() {
     QJsonObject record = programJson();
-    record.insert(QStringLiteral("project"),
-                  QString::fromStdString(projectText(withoutNames(*document_.project()))));
+    // A field of very many points would hold up the window; the report that is asked for has it all the same.
+    if (pointsOf(*document_.project()) <= kMostPoints) {
+        record.insert(QStringLiteral("project"),
+                      QString::fromStdString(projectText(withoutNames(*document_.project()))));
+    }
     crash_record::setText(QJsonDocument{record}.toJson(QJsonDocument::Compact).toStdString());
 }
 

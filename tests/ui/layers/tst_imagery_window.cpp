@@ -215,6 +215,21 @@ private slots:
         QVERIFY(QFile::rename(path + QStringLiteral(".away"), path));
         QTRY_COMPARE_WITH_TIMEOUT(state(), ImageryModel::State::Ready, kPatienceMs);
     }
+    void aPictureElsewhereIsTold() {
+        openSample(QStringLiteral("Home Field"));
+        const QTemporaryDir folder;
+        addMeadow(folder);
+        QTRY_VERIFY(item(QStringLiteral("farImagery"))->isVisible());
+        QVERIFY(item(QStringLiteral("farImagery.text"))
+                    ->property("text")
+                    .toString()
+                    .contains(QStringLiteral(" km away")));
+        picture(QStringLiteral("imagery-far"));
+        click(QStringLiteral("farImagery.go"));
+        QTRY_VERIFY(!item(QStringLiteral("farImagery"))->isVisible());
+        // The middle of zone 34, 6,465 km north of the equator.
+        QTRY_VERIFY(camera()->center().distanceTo(QGeoCoordinate{58.32, 21.0}) < 3000.0);
+    }
     void whatCannotBeAddedIsTold() {
         const QTemporaryDir folder;
         QFile file{folder.filePath(QStringLiteral("broken.mbtiles"))};

@@ -134,7 +134,7 @@ class TestCellsWindow : public EditorWindowTest {
         }
         QVERIFY(text("cells.current").contains(cellsAfter(first)));
         QVERIFY(
-            text("cells.join").startsWith(QStringLiteral("The two marked cells become one: that saves ")));
+            text("cells.join").startsWith(QStringLiteral("The two marked blocks become one: that saves ")));
         QVERIFY(!drawn()->joined.empty());
         picture(pictureName("3_joined"));
     }
