@@ -1073,6 +1073,21 @@
     </message>
 </context>
 <context>
+    <name>FarImageryNotice</name>
+    <message>
+        <source>This picture does not show the field: it lies %1 away.</source>
+        <translation>Dieses Bild zeigt den Schlag nicht: es liegt %1 entfernt.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>FarmHeader</name>
     <message>
         <source>%1, sorted downwards</source>
@@ -1845,6 +1860,14 @@
         <source>Back to the original</source>
         <translation>Zurück zum Original</translation>
     </message>
+    <message>
+        <source>Keep as your own…</source>
+        <translation>Als eigene behalten…</translation>
+    </message>
+    <message>
+        <source>Remove from your own</source>
+        <translation>Aus den eigenen entfernen</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1907,6 +1930,14 @@
     <message>
         <source>finding</source>
         <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Klicken Sie die Stelle auf der Karte an. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Keep the machine as</source>
+        <translation>Maschine behalten als</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2101,18 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: Furrow wählen lassen</translation>
+    </message>
+    <message>
+        <source>as text</source>
+        <translation>als Text</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>Auf der Karte</translation>
     </message>
 </context>
 <context>
@@ -6747,10 +6790,6 @@
         <translation>Klicken, wo die AB-Linie beginnt</translation>
     </message>
     <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Drücken und mit dem Zeiger nachfahren</translation>
-    </message>
-    <message>
         <source>Length of the next edge</source>
         <translation>Länge der nächsten Kante</translation>
     </message>
@@ -6781,6 +6820,10 @@
     <message>
         <source>Click where the split line begins</source>
         <translation>Klicken, wo die Teilungslinie beginnt</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer, to %1</source>
+        <translation>Drücken und mit dem Zeiger nachfahren, auf %1 genau</translation>
     </message>
 </context>
 <context>

@@ -1073,6 +1073,21 @@
     </message>
 </context>
 <context>
+    <name>FarImageryNotice</name>
+    <message>
+        <source>This picture does not show the field: it lies %1 away.</source>
+        <translation>Esta imagen no muestra la parcela: está a %1.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Ir allí</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
     <name>FarmHeader</name>
     <message>
         <source>%1, sorted downwards</source>
@@ -1845,6 +1860,14 @@
         <source>Back to the original</source>
         <translation>Valores originales</translation>
     </message>
+    <message>
+        <source>Keep as your own…</source>
+        <translation>Guardar como propia…</translation>
+    </message>
+    <message>
+        <source>Remove from your own</source>
+        <translation>Quitar de las propias</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1907,6 +1930,14 @@
     <message>
         <source>finding</source>
         <translation>aviso</translation>
+    </message>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Pulse el lugar en el mapa. Esc lo termina.</translation>
+    </message>
+    <message>
+        <source>Keep the machine as</source>
+        <translation>Guardar la máquina como</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2101,18 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: que elija Furrow</translation>
+    </message>
+    <message>
+        <source>as text</source>
+        <translation>como texto</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>En el mapa</translation>
     </message>
 </context>
 <context>
@@ -6747,10 +6790,6 @@
         <translation>Haga clic donde empieza la línea AB</translation>
     </message>
     <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Pulse y siga el contorno con el puntero</translation>
-    </message>
-    <message>
         <source>Length of the next edge</source>
         <translation>Longitud del lado siguiente</translation>
     </message>
@@ -6781,6 +6820,10 @@
     <message>
         <source>Click where the split line begins</source>
         <translation>Haga clic donde empieza la línea de división</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer, to %1</source>
+        <translation>Pulse y recórralo con el puntero, con %1 de precisión</translation>
     </message>
 </context>
 <context>

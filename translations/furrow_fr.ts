@@ -1073,6 +1073,21 @@
     </message>
 </context>
 <context>
+    <name>FarImageryNotice</name>
+    <message>
+        <source>This picture does not show the field: it lies %1 away.</source>
+        <translation>Cette image ne montre pas la parcelle : elle est à %1.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Y aller</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>FarmHeader</name>
     <message>
         <source>%1, sorted downwards</source>
@@ -1845,6 +1860,14 @@
         <source>Back to the original</source>
         <translation>Valeurs d&apos;origine</translation>
     </message>
+    <message>
+        <source>Keep as your own…</source>
+        <translation>Garder comme la vôtre…</translation>
+    </message>
+    <message>
+        <source>Remove from your own</source>
+        <translation>Retirer des vôtres</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1907,6 +1930,14 @@
     <message>
         <source>finding</source>
         <translation>remarque</translation>
+    </message>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Cliquez l’endroit sur la carte. Échap y met fin.</translation>
+    </message>
+    <message>
+        <source>Keep the machine as</source>
+        <translation>Garder la machine sous</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2101,18 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1 : laisser Furrow choisir</translation>
+    </message>
+    <message>
+        <source>as text</source>
+        <translation>en texte</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>Sur la carte</translation>
     </message>
 </context>
 <context>
@@ -6747,10 +6790,6 @@
         <translation>Cliquer là où commence la ligne AB</translation>
     </message>
     <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Appuyer et suivre le contour avec le pointeur</translation>
-    </message>
-    <message>
         <source>Length of the next edge</source>
         <translation>Longueur du côté suivant</translation>
     </message>
@@ -6781,6 +6820,10 @@
     <message>
         <source>Click where the split line begins</source>
         <translation>Cliquer là où commence la ligne de partage</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer, to %1</source>
+        <translation>Appuyez et suivez-le avec le pointeur, à %1 près</translation>
     </message>
 </context>
 <context>

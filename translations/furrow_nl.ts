@@ -1073,6 +1073,21 @@
     </message>
 </context>
 <context>
+    <name>FarImageryNotice</name>
+    <message>
+        <source>This picture does not show the field: it lies %1 away.</source>
+        <translation>Deze afbeelding toont het perceel niet: ze ligt %1 verderop.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Daarheen gaan</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
     <name>FarmHeader</name>
     <message>
         <source>%1, sorted downwards</source>
@@ -1845,6 +1860,14 @@
         <source>Back to the original</source>
         <translation>Terug naar origineel</translation>
     </message>
+    <message>
+        <source>Keep as your own…</source>
+        <translation>Als eigen bewaren…</translation>
+    </message>
+    <message>
+        <source>Remove from your own</source>
+        <translation>Uit eigen machines halen</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1907,6 +1930,14 @@
     <message>
         <source>finding</source>
         <translation>bevinding</translation>
+    </message>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Klik de plek op de kaart aan. Esc beëindigt het.</translation>
+    </message>
+    <message>
+        <source>Keep the machine as</source>
+        <translation>Machine bewaren als</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2101,18 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: Furrow laten kiezen</translation>
+    </message>
+    <message>
+        <source>as text</source>
+        <translation>als tekst</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Kiezen…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>Op de kaart</translation>
     </message>
 </context>
 <context>
@@ -6747,10 +6790,6 @@
         <translation>Klik waar de AB-lijn begint</translation>
     </message>
     <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Ingedrukt houden en met de aanwijzer natrekken</translation>
-    </message>
-    <message>
         <source>Length of the next edge</source>
         <translation>Lengte van de volgende zijde</translation>
     </message>
@@ -6781,6 +6820,10 @@
     <message>
         <source>Click where the split line begins</source>
         <translation>Klik waar de splitlijn begint</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer, to %1</source>
+        <translation>Druk en volg het met de aanwijzer, tot op %1</translation>
     </message>
 </context>
 <context>

@@ -1073,6 +1073,21 @@
     </message>
 </context>
 <context>
+    <name>FarImageryNotice</name>
+    <message>
+        <source>This picture does not show the field: it lies %1 away.</source>
+        <translation>Esta imagem não mostra o talhão: fica a %1.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Ir para lá</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+</context>
+<context>
     <name>FarmHeader</name>
     <message>
         <source>%1, sorted downwards</source>
@@ -1845,6 +1860,14 @@
         <source>Back to the original</source>
         <translation>Valores originais</translation>
     </message>
+    <message>
+        <source>Keep as your own…</source>
+        <translation>Guardar como sua…</translation>
+    </message>
+    <message>
+        <source>Remove from your own</source>
+        <translation>Remover das suas</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1907,6 +1930,14 @@
     <message>
         <source>finding</source>
         <translation>aviso</translation>
+    </message>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Clique no lugar no mapa. Esc encerra.</translation>
+    </message>
+    <message>
+        <source>Keep the machine as</source>
+        <translation>Guardar a máquina como</translation>
     </message>
 </context>
 <context>
@@ -2070,6 +2101,18 @@
     <message>
         <source>%1: let Furrow choose</source>
         <translation>%1: deixar o Furrow escolher</translation>
+    </message>
+    <message>
+        <source>as text</source>
+        <translation>como texto</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Escolher…</translation>
+    </message>
+    <message>
+        <source>On the map</source>
+        <translation>No mapa</translation>
     </message>
 </context>
 <context>
@@ -6747,10 +6790,6 @@
         <translation>Clique onde começa a linha AB</translation>
     </message>
     <message>
-        <source>Press and trace it with the pointer</source>
-        <translation>Pressione e siga o contorno com o ponteiro</translation>
-    </message>
-    <message>
         <source>Length of the next edge</source>
         <translation>Comprimento do próximo lado</translation>
     </message>
@@ -6781,6 +6820,10 @@
     <message>
         <source>Click where the split line begins</source>
         <translation>Clique onde começa a linha de divisão</translation>
+    </message>
+    <message>
+        <source>Press and trace it with the pointer, to %1</source>
+        <translation>Pressione e trace com o ponteiro, com precisão de %1</translation>
     </message>
 </context>
 <context>

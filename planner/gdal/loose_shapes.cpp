@@ -49,14 +49,14 @@ std::string nameAround(pugi::xml_node node) {
     return {};
 }
 
-/// By itself, or by what it is part of.
-bool namesSystem(pugi::xml_node node) {
+/// The coordinate system that an element names by itself, or by what it is part of; empty for none.
+std::string systemNamed(pugi::xml_node node) {
     for (; node; node = node.parent()) {
-        if (!std::string_view{node.attribute("srsName").as_string()}.empty()) {
-            return true;
+        if (std::string name = node.attribute("srsName").as_string(); !name.empty()) {
+            return name;
         }
     }
-    return false;
+    return {};
 }
 
 }  // namespace
@@ -118,11 +118,20 @@ Result<void> readPolygonElements(const std::string& text, const std::string& nam
                         lineAndColumn(text, static_cast<std::size_t>(found.node().offset_debug()))),
                 "this polygon cannot be read", "check its coordinates"));
         }
-        if (geometry->getSpatialReference() == nullptr && namesSystem(found.node())) {
+        // A polygon by itself is read without its system.
+        OGRSpatialReference named;
+        named.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        const std::string system =
+            geometry->getSpatialReference() == nullptr ? systemNamed(found.node()) : std::string{};
+        // Neither files nor other computers are asked for it.
+        if (!system.empty() &&
+            named.SetFromUserInput(
+                system.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
             return std::unexpected(inputRefused(name, "the coordinate system that it names is not known",
                                                 "export the field again in WGS84 (longitude and latitude)"));
         }
-        const Result<ToWgs84> toWgs84 = ToWgs84::from(geometry->getSpatialReference(), name);
+        const Result<ToWgs84> toWgs84 =
+            ToWgs84::from(system.empty() ? geometry->getSpatialReference() : &named, name);
         if (!toWgs84) {
             return std::unexpected(toWgs84.error());
         }

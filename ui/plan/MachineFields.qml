@@ -39,6 +39,26 @@ Column {
             displayText: currentIndex < 0 ? root.machine.name : currentText
             onActivated: index => root.machine.libraryIndex = index
         }
+        Row {
+            x: -6
+            spacing: 4
+            visible: root.machine.changed || root.machine.own || root.machine.libraryIndex < 0
+
+            SmallButton {
+                objectName: "machine.keep"
+                visible: root.machine.changed || root.machine.libraryIndex < 0
+                height: 34
+                text: qsTr("Keep as your own…")
+                onClicked: root.machine.askForName()
+            }
+            SmallButton {
+                objectName: "machine.forget"
+                visible: root.machine.own
+                height: 34
+                text: qsTr("Remove from your own")
+                onClicked: root.machine.forget()
+            }
+        }
     }
     Flow {
         width: parent.width

@@ -27,6 +27,7 @@ Column {
     required property string choiceHint
     required property bool checked
     required property string text
+    required property int picking
     /// Needs the whole width of the panel.
     readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || longTexts || kind === ParameterModel.Choice && index === 0
     /// What half the panel could not show, in this language.
@@ -136,12 +137,30 @@ Column {
     Component {
         id: words
 
-        TextEntry {
-            objectName: root.key
-            name: root.name
-            value: root.text
-            accepts: entered => root.parameters.accepts(root.index, entered)
-            onCommitted: entered => root.parameters.setText(root.index, entered)
+        Item {
+            implicitHeight: entry.implicitHeight
+
+            TextEntry {
+                id: entry
+
+                objectName: root.key
+                anchors { left: parent.left; right: pickButton.left; rightMargin: pickButton.visible ? 8 : 0 }
+                name: root.name
+                value: root.text
+                placeholderText: root.picking === ParameterModel.Pick.None ? "" : qsTr("as text")
+                accepts: entered => root.parameters.accepts(root.index, entered)
+                onCommitted: entered => root.parameters.setText(root.index, entered)
+            }
+            PushButton {
+                id: pickButton
+
+                objectName: root.key + ".pick"
+                anchors.right: parent.right
+                visible: root.picking !== ParameterModel.Pick.None
+                width: visible ? implicitWidth : 0
+                text: root.picking === ParameterModel.Pick.File ? qsTr("Choose…") : qsTr("On the map")
+                onClicked: root.parameters.pick(root.index)
+            }
         }
     }
     Component {

@@ -67,30 +67,59 @@ MachineModel::MachineModel(QObject* parent) : QAbstractListModel{parent}, machin
     });
 }
 
+std::vector<Machine> MachineModel::all() const {
+    const auto library = machineLibrary();
+    std::vector<Machine> machines{library.begin(), library.end()};
+    machines.insert(machines.end(), own_.machines().begin(), own_.machines().end());
+    return machines;
+}
+
 QStringList MachineModel::library() const {
     QStringList names;
-    for (const Machine& machine : machineLibrary()) {
+    for (const Machine& machine : all()) {
         names << shown(machine.name());
     }
     return names;
 }
 
 void MachineModel::setLibraryIndex(int index) {
-    if (index < 0 || index >= static_cast<int>(machineLibrary().size())) {
+    const std::vector<Machine> machines = all();
+    if (index < 0 || index >= static_cast<int>(machines.size())) {
         return;
     }
-    emit changeRequested(machineLibrary()[static_cast<std::size_t>(index)]);
+    emit changeRequested(machines[static_cast<std::size_t>(index)]);
 }
 
 int MachineModel::libraryIndex() const {
-    const auto library = machineLibrary();
-    const auto same = std::ranges::find(library, machine_.id(), &Machine::id);
-    return same == library.end() ? -1 : static_cast<int>(same - library.begin());
+    const std::vector<Machine> machines = all();
+    const auto same = std::ranges::find(machines, machine_.id(), &Machine::id);
+    return same == machines.end() ? -1 : static_cast<int>(same - machines.begin());
 }
 
 bool MachineModel::isChanged() const {
     const int index = libraryIndex();
-    return index >= 0 && machine_ != machineLibrary()[static_cast<std::size_t>(index)];
+    return index >= 0 && machine_ != all()[static_cast<std::size_t>(index)];
+}
+
+void MachineModel::keepIn(const QString& folder) {
+    own_.keepIn(folder);
+    emit machineChanged();
+}
+
+void MachineModel::keepAs(const QString& name) {
+    const auto kept = own_.keep(machine_, name);
+    if (!kept) {
+        setProblem(kept.error().what);
+        return;
+    }
+    setProblem({});
+    emit changeRequested(*kept);
+    emit machineChanged();
+}
+
+void MachineModel::forget() {
+    own_.forget(machine_.id());
+    emit machineChanged();
 }
 
 QString MachineModel::name() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/machine/machine.h"
+#include "ui/plan/own_machines.h"
 #include "ui/text/message_text.h"
 
 #include <QtQml/qqmlregistration.h>
@@ -24,6 +25,8 @@ class MachineModel : public QAbstractListModel {
     /// The numbers differ from those of the library.
     Q_PROPERTY(bool changed READ isChanged NOTIFY machineChanged FINAL)
     Q_PROPERTY(QString name READ name NOTIFY machineChanged FINAL)
+    /// It is one that the user keeps.
+    Q_PROPERTY(bool own READ isOwn NOTIFY machineChanged FINAL)
     Q_PROPERTY(QString problem READ problem NOTIFY problemChanged FINAL)
 
 public:
@@ -49,6 +52,9 @@ public:
     int libraryIndex() const;
     void setLibraryIndex(int index);
     bool isChanged() const;
+    bool isOwn() const { return own_.holds(machine_.id()); }
+    /// The user's machines are in this folder.
+    void keepIn(const QString& folder);
     QString name() const;
     QString problem() const { return sentence(problem_); }
 
@@ -62,16 +68,26 @@ public:
     Q_INVOKABLE void setNumber(int row, double value);
     /// Back to the machine of the library.
     Q_INVOKABLE void reset();
+    /// Asks for the name to keep this machine under.
+    Q_INVOKABLE void askForName() { emit nameRequested(); }
+    /// This machine is kept, and becomes the machine of the plan.
+    Q_INVOKABLE void keepAs(const QString& name);
+    /// It is kept no longer; plans that have it go on having it.
+    Q_INVOKABLE void forget();
 
 signals:
     void machineChanged();
     void problemChanged();
+    void nameRequested();
     /// The user wants this machine.
     void changeRequested(const furrow::Machine& machine);
 
 private:
     void setProblem(const Message& problem);
+    /// Those of the library, then the user's own.
+    std::vector<Machine> all() const;
 
+    OwnMachines own_;
     std::vector<const MachineKey*> keys_;
     Machine machine_;
     Message problem_;

@@ -1,5 +1,6 @@
 #include "ui/plan/parameter_model.h"
 
+#include "planner/plan/method_registry.h"
 #include "planner/plan/used_settings.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
@@ -188,6 +189,7 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
                        : QString{};
         case CheckedRole: return kindOf(parameter) == Kind::Flag && settings_.flag(parameter);
         case TextRole: return kindOf(parameter) == Kind::Text ? fromStd(settingText(set)) : QString{};
+        case PickRole: return static_cast<int>(pickOf(parameter));
         default: return {};
     }
 }
@@ -197,6 +199,7 @@ QHash<int, QByteArray> ParameterModel::roleNames() const {
             {NameRole, "name"},
             {DescriptionRole, "description"},
             {KindRole, "kind"},
+            {PickRole, "picking"},
             {ValueRole, "value"},
             {AutoTextRole, "autoText"},
             {CanBeAutoRole, "canBeAuto"},
@@ -247,6 +250,27 @@ void ParameterModel::setText(int row, const QString& text) {
 void ParameterModel::setFlag(int row, bool on) {
     if (row >= 0 && row < rowCount()) {
         emit changeRequested(&at(row), SettingValue{on}, false);
+    }
+}
+
+ParameterModel::Pick ParameterModel::pickOf(const Parameter& parameter) const {
+    switch (parameter.kind) {
+        case ParameterKind::Place: return Pick::Place;
+        case ParameterKind::Lines: return Pick::Split;
+        case ParameterKind::File: return Pick::File;
+        case ParameterKind::Line: {
+            // Of a pivot the centre is wanted, of A+ its point.
+            const auto method = findParameter("swaths.method");
+            const std::string chosen = method ? settings_.choice(**method) : std::string{};
+            return chosen == "pivot" || chosen == "a-plus" ? Pick::Place : Pick::Line;
+        }
+        default: return Pick::None;
+    }
+}
+
+void ParameterModel::pick(int row) {
+    if (row >= 0 && row < rowCount()) {
+        emit pickRequested(fromStd(at(row).key), static_cast<int>(pickOf(at(row))));
     }
 }
 

@@ -20,6 +20,9 @@ class ParameterModel : public QAbstractListModel {
 public:
     enum class Kind { Number, Direction, Choice, Flag, Text };
     Q_ENUM(Kind)
+    /// How a text is got without typing it.
+    enum class Pick { None, Place, Line, Split, File };
+    Q_ENUM(Pick)
     enum Role {
         KeyRole = Qt::UserRole + 1,
         NameRole,
@@ -39,6 +42,7 @@ public:
         ChoiceHintRole,  ///< description of what is chosen
         CheckedRole,
         TextRole,  ///< of lines and lists, as the settings hold them
+        PickRole,
     };
 
     explicit ParameterModel(QObject* parent = nullptr);
@@ -58,14 +62,19 @@ public:
     /// Whether the text can be a value of this setting.
     Q_INVOKABLE bool accepts(int row, const QString& text) const;
     Q_INVOKABLE void setText(int row, const QString& text);
+    /// The user wants to pick it on the map, or from a list of files.
+    Q_INVOKABLE void pick(int row);
 
 signals:
     /// The user wants this value, in the unit of the settings.
     void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value, bool live);
+    /// `how` is a Pick.
+    void pickRequested(const QString& key, int how);
 
 private:
     const Parameter& at(int row) const { return *parameters_[static_cast<std::size_t>(row)]; }
     QVariant value(const Parameter& parameter, int role) const;
+    Pick pickOf(const Parameter& parameter) const;
     void refresh();
 
     std::vector<const Parameter*> parameters_;

@@ -188,6 +188,10 @@ void Planning::changeMachine(const Machine& machine) {
     rememberMachine(machine, changed);
 }
 
+void Planning::set(const QString& key, const QString& text) {
+    apply({.key = key.toStdString(), .value = text.toStdString()});
+}
+
 void Planning::apply(const SettingChange& change) {
     const auto parameter = findParameter(change.key);
     Settings read;

@@ -58,6 +58,8 @@ public:
     /// Stops reading and planning.
     Q_INVOKABLE void cancel();
     Q_INVOKABLE void planAgain();
+    /// Gives a setting this text, as `--set key=text` does.
+    Q_INVOKABLE void set(const QString& key, const QString& text);
     /// Makes a change that the planner advises.
     void apply(const SettingChange& change);
 

@@ -116,6 +116,7 @@ StepsModel::StepsModel(QObject* parent) : QAbstractListModel{parent} {
         auto* model = new ParameterModel{this};
         model->show(parameters, {}, nullptr);
         connect(model, &ParameterModel::changeRequested, this, &StepsModel::changeRequested);
+        connect(model, &ParameterModel::pickRequested, this, &StepsModel::pickRequested);
         steps_.push_back({std::move(id), name, {}, {}, Status::None, model});
     };
     // Names of the steps follow the language by themselves, what is in them when it is shown again.

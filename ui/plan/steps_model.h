@@ -57,6 +57,7 @@ public:
 
 signals:
     void changeRequested(const furrow::Parameter* parameter, const furrow::SettingValue& value, bool live);
+    void pickRequested(const QString& key, int how);
 
 private:
     struct Step {

@@ -77,6 +77,7 @@ public:
     Q_INVOKABLE void abandonChanges();
     Q_INVOKABLE void dismiss() { tell(Trouble::None); }
     Q_INVOKABLE QUrl urlOf(const QString& path) const { return QUrl::fromLocalFile(path); }
+    Q_INVOKABLE QString pathOf(const QUrl& url) const { return url.toLocalFile(); }
     /// A name to save under, in the user's documents.
     Q_INVOKABLE QUrl suggestedFile() const;
 

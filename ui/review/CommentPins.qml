@@ -12,15 +12,9 @@ Item {
     required property MapCamera camera
     property int current: -1
     /// The next click on the map is the place of a comment.
-    property bool placing: false
+    property alias placing: picker.picking
     signal clicked(row: int)
     signal placed(place: var)
-
-    onPlacingChanged: {
-        if (placing)
-            forceActiveFocus();
-    }
-    Keys.onEscapePressed: root.placing = false
 
     Repeater {
         model: root.review
@@ -83,31 +77,12 @@ Item {
             }
         }
     }
-    MouseArea {
+    PlacePicker {
+        id: picker
+
         anchors.fill: parent
-        enabled: root.placing
-        visible: enabled
-        cursorShape: Qt.CrossCursor
-        onClicked: mouse => {
-            root.placing = false;
-            root.placed(root.camera.coordinateAt(Qt.point(mouse.x, mouse.y)));
-        }
-    }
-    Rectangle {
-        anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: 64 }
-        visible: root.placing
-        width: hint.implicitWidth + 32
-        height: 38
-        radius: 19
-        color: Theme.panel
-        border.width: Theme.hairline
-        border.color: Theme.line
-
-        BodyText {
-            id: hint
-
-            anchors.centerIn: parent
-            text: qsTr("Click the place that you want to comment on. Esc ends it.")
-        }
+        camera: root.camera
+        hint: qsTr("Click the place that you want to comment on. Esc ends it.")
+        onPicked: place => root.placed(place)
     }
 }

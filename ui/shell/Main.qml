@@ -1,6 +1,7 @@
 import QtQuick
 import QtCore
 import QtQuick.Controls
+import QtQuick.Dialogs
 import QtPositioning
 import Furrow.Best
 import Furrow.Commands
@@ -13,6 +14,7 @@ import Furrow.Export
 import Furrow.Guide
 import Furrow.Farm
 import Furrow.Layers
+import Furrow.Map
 import Furrow.Plan
 import Furrow.Project
 import Furrow.Report
@@ -440,6 +442,16 @@ ApplicationWindow {
                     results.reviewSection.write(place);
                 }
             },
+            PlacePicker {
+                id: picker
+
+                property string key: ""
+
+                anchors.fill: parent
+                camera: page.camera
+                hint: qsTr("Click the place on the map. Esc ends it.")
+                onPicked: place => root.session.planning.set(key, "POINT (%1 %2)".arg(place.longitude.toFixed(8)).arg(place.latitude.toFixed(8)))
+            },
             FindingPulse {
                 id: pulse
 
@@ -696,6 +708,39 @@ ApplicationWindow {
 
         function onFieldOpened(): void {
             page.fitField(false);
+        }
+    }
+    FileDialog {
+        id: pickedFile
+
+        property string key: ""
+
+        objectName: "pickedFileDialog"
+        fileMode: FileDialog.OpenFile
+        onAccepted: root.session.planning.set(key, root.session.files.pathOf(selectedFile))
+    }
+    Connections {
+        target: root.session.planning.machine
+
+        function onNameRequested(): void {
+            root.askName(qsTr("Keep the machine as"), root.session.planning.machine.name, "", false, name => root.session.planning.machine.keepAs(name));
+        }
+    }
+    Connections {
+        target: root.session.planning.steps
+
+        function onPickRequested(key: string, how: int): void {
+            if (how === ParameterModel.Pick.Place) {
+                picker.key = key;
+                picker.picking = true;
+            } else if (how === ParameterModel.Pick.Line) {
+                page.startTool(FieldEditor.Guide);
+            } else if (how === ParameterModel.Pick.Split) {
+                page.startTool(FieldEditor.Split);
+            } else if (how === ParameterModel.Pick.File) {
+                pickedFile.key = key;
+                pickedFile.open();
+            }
         }
     }
     Connections {

@@ -21,6 +21,7 @@ void Session::keepIn(const QString& folder) {
     files_.keepIn(place.filePath(QStringLiteral("history")));
     farmPlans_.keepIn(place.filePath(QStringLiteral("plans.json")));
     trouble_.keepIn(place.filePath(QStringLiteral("crashes")));
+    planning_.machine()->keepIn(place.filePath(QStringLiteral("machines")));
     recent_.keepIn(place.filePath(QStringLiteral("recent.json")));
 }
 

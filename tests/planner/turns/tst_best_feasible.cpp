@@ -34,7 +34,7 @@ MachineSpec specOf(double radiusM) {
     spec.tractor.turningSpeed = metresPerSecond(kForwardMps);
     spec.tractor.reverseSpeed = metresPerSecond(kReverseMps);
     spec.tractor.maxAcceleration = Acceleration::fromSi(kAccelerationMps2);
-    spec.tractor.maxLateralAcceleration = Acceleration::fromSi(100.0);
+    spec.tractor.maxLateralAcceleration = Acceleration::fromSi(20.0);
     spec.implement.operatingWidth = metres(2.5);
     spec.implement.offset = metres(-2.0);
     spec.implement.length = metres(1.0);

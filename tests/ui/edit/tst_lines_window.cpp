@@ -1,3 +1,4 @@
+#include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
@@ -20,6 +21,44 @@ class TestLinesWindow : public EditorWindowTest {
     QString title() const { return item(QStringLiteral("inspector.title"))->property("text").toString(); }
 
 private slots:
+    // No coordinates need be typed: a place is clicked, lines are drawn.
+    void placesAndLinesArePicked() {
+        DRAW_FIELD();
+        item(QStringLiteral("stepsPanel"))->setProperty("openStep", QStringLiteral("route"));
+        click(QStringLiteral("route.start.pick"));
+        QTRY_VERIFY(shows(QStringLiteral("picker.hint")));
+        picture(QStringLiteral("picking_start"));
+        const QPoint at = middle() + QPoint{-150, 100};
+        const QGeoCoordinate place = camera()->coordinateAt(map()->mapFromScene(at));
+        clickAt(at);
+        const Parameter& parameter = **findParameter("route.start");
+        const auto chosen = [&] { return settingText(session_->planning()->settings().value(parameter)); };
+        QTRY_VERIFY(!chosen().empty());
+        ready();
+        const std::string start = chosen();
+        QVERIFY2(start.starts_with("POINT"), start.c_str());
+        QVERIFY(QString::fromStdString(start).contains(QString::number(place.longitude(), 'f', 4)));
+        // Escape ends it without a place.
+        click(QStringLiteral("route.end.pick"));
+        QTRY_VERIFY(shows(QStringLiteral("picker.hint")));
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("picker.hint")));
+        // A split line is drawn.
+        item(QStringLiteral("stepsPanel"))->setProperty("openStep", QStringLiteral("decomposition"));
+        click(QStringLiteral("decomposition.split.pick"));
+        QTRY_COMPARE(editor()->tool(), FieldEditor::Tool::Split);
+        key(Qt::Key_Escape);
+        key(Qt::Key_V);
+        // The centre of a pivot is a place.
+        session_->planning()->set(QStringLiteral("swaths.method"), QStringLiteral("pivot"));
+        item(QStringLiteral("stepsPanel"))->setProperty("openStep", QStringLiteral("swaths"));
+        click(QStringLiteral("swaths.line.pick"));
+        QTRY_VERIFY(shows(QStringLiteral("picker.hint")));
+        clickAt(middle());
+        ready();
+        QVERIFY(session_->shown()->plan()->swaths.swaths.size() > 3);
+        picture(QStringLiteral("picked_pivot"));
+    }
     void aFieldIsCutByMouse() {
         DRAW_FIELD();
         const std::size_t cells = session_->shown()->plan()->cells.cells.size();

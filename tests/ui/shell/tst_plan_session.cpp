@@ -143,6 +143,38 @@ private slots:
         QSettings{}.clear();
         QCoreApplication::setOrganizationName({});
     }
+    // A machine that was fitted to one's own is kept, comes again in another session, and goes.
+    void ownMachinesComeAgain() {
+        const QTemporaryDir folder;
+        {
+            Session session;
+            session.keepIn(folder.path());
+            session.opener()->addDrawn(drawnRectangle());
+            MachineModel& machine = *session.planning()->machine();
+            const int count = static_cast<int>(machine.library().size());
+            machine.setNumber(0, 7.3);
+            QVERIFY(machine.isChanged() && !machine.isOwn());
+            machine.keepAs(QStringLiteral(" Our cultivator "));
+            QVERIFY(machine.isOwn() && !machine.isChanged());
+            QCOMPARE(machine.name(), QStringLiteral("Our cultivator"));
+            QCOMPARE(machine.library().size(), count + 1);
+            QCOMPARE(machine.libraryIndex(), count);
+            // The same name is the same machine.
+            machine.setNumber(0, 7.4);
+            machine.keepAs(QStringLiteral("Our cultivator"));
+            QCOMPARE(machine.library().size(), count + 1);
+        }
+        Session again;
+        again.keepIn(folder.path());
+        MachineModel& machine = *again.planning()->machine();
+        QCOMPARE(machine.library().last(), QStringLiteral("Our cultivator"));
+        machine.setLibraryIndex(static_cast<int>(machine.library().size()) - 1);
+        QCOMPARE(machine.machine().operatingWidth().si(), 7.4);
+        machine.forget();
+        QVERIFY(!machine.isOwn());
+        QVERIFY(!machine.library().contains(QStringLiteral("Our cultivator")));
+        QCOMPARE(machine.machine().operatingWidth().si(), 7.4);
+    }
     void everyMachineHasAnOperation() {
         for (const Machine& machine : machineLibrary()) {
             Settings settings;
