@@ -98,7 +98,8 @@ void EditLayer::setEditor(FieldEditor* editor) {
 }
 
 double EditLayer::traceTolerance() const {
-    return FieldEditor::kTraceShare * kReachPx * camera()->metresPerPixel();
+    // Asked for before it has a camera, while the window is made.
+    return camera() == nullptr ? 0.0 : FieldEditor::kTraceShare * kReachPx * camera()->metresPerPixel();
 }
 
 void EditLayer::convert() {

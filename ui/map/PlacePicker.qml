@@ -39,7 +39,7 @@ Item {
         BodyText {
             id: label
 
-            objectName: "picker.hint"
+            objectName: root.objectName + ".hint"
             anchors.centerIn: parent
             text: root.hint
         }

@@ -68,7 +68,7 @@ Result<Machine> OwnMachines::keep(const Machine& machine, const QString& name) {
         return std::unexpected(Error{.code = ErrorCode::WriteFailed,
                                      .what = message("the machine could not be kept"),
                                      .where = message("{}", file.errorString().toStdString()),
-                                     .remedy = "",
+                                     .remedy = {},
                                      .place = {}});
     }
     std::erase_if(machines_, [&](const Machine& each) { return each.id() == spec.id; });

@@ -80,6 +80,7 @@ Item {
     PlacePicker {
         id: picker
 
+        objectName: "commentPicker"
         anchors.fill: parent
         camera: root.camera
         hint: qsTr("Click the place that you want to comment on. Esc ends it.")

@@ -447,6 +447,8 @@ ApplicationWindow {
 
                 property string key: ""
 
+                objectName: "picker"
+
                 anchors.fill: parent
                 camera: page.camera
                 hint: qsTr("Click the place on the map. Esc ends it.")
@@ -710,14 +712,16 @@ ApplicationWindow {
             page.fitField(false);
         }
     }
-    FileDialog {
-        id: pickedFile
+    Item {
+        FileDialog {
+            id: pickedFile
 
-        property string key: ""
+            property string key: ""
 
-        objectName: "pickedFileDialog"
-        fileMode: FileDialog.OpenFile
-        onAccepted: root.session.planning.set(key, root.session.files.pathOf(selectedFile))
+            objectName: "pickedFileDialog"
+            fileMode: FileDialog.OpenFile
+            onAccepted: root.session.planning.set(key, root.session.files.pathOf(selectedFile))
+        }
     }
     Connections {
         target: root.session.planning.machine
