@@ -65,11 +65,10 @@ Result<Machine> OwnMachines::keep(const Machine& machine, const QString& name) {
     QSaveFile file{fileOf(spec.id)};
     const QByteArray text = QByteArray::fromStdString(machineJson(spec));
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-        return std::unexpected(Error{.code = ErrorCode::WriteFailed,
-                                     .what = message("the machine could not be kept"),
-                                     .where = message("{}", file.errorString().toStdString()),
-                                     .remedy = {},
-                                     .place = {}});
+        // The system's own reason, in the user's language.
+        const std::string reason = file.errorString().toStdString();
+        return std::unexpected(Error{
+            .code = ErrorCode::WriteFailed, .what = Message{reason}, .where = {}, .remedy = {}, .place = {}});
     }
     std::erase_if(machines_, [&](const Machine& each) { return each.id() == spec.id; });
     machines_.push_back(*kept);
