@@ -167,9 +167,7 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
 }
 
 void PlanScene::styleChunk(const ChunkNode& chunk) const {
-    // Lines a few pixels apart would run into one area at their full width.
-    const double density = std::clamp(spacingPx_ / 5.0, 0.45, 1.0);
-    LineStyle style = pathStyle(chunk.chunk->kind, style_, style_.lineFactor * density);
+    LineStyle style = pathStyle(chunk.chunk->kind, style_, style_.lineFactor * density_);
     style.color = faded(style.color, style_.restAlpha());
     chunk.node->setStyle(style);
 }
@@ -206,17 +204,14 @@ void PlanScene::setStyle(const PlanStyle& style) {
 
 void PlanScene::styleDensity() {
     const double rest = style_.restAlpha();
-    const double density = std::clamp(spacingPx_ / 5.0, 0.45, 1.0);
-    // From lines to an area as they come together: what their distance leaves of the lines, the area takes.
-    const double lines = std::clamp((spacingPx_ - kLinesFromPx) / (kFillBelowPx - kLinesFromPx), 0.0, 1.0);
     swaths_->setStyle(
-        {.color = faded(style_.swath, rest * lines), .widthPx = 1.5 * style_.lineFactor * density});
-    swathCasing_->setStyle({.color = faded(style_.ground, 0.75 * rest * lines),
-                            .widthPx = (1.5 * style_.lineFactor + 1.8) * density});
-    worked_->setStyle(faded(style_.swath, 0.4 * rest * (1.0 - lines)));
-    worked_->setShown(style_.showSwaths && lines < 1.0);
-    swaths_->setShown(style_.showSwaths && lines > 0.0);
-    swathCasing_->setShown(style_.showSwaths && style_.onImagery && lines > 0.0);
+        {.color = faded(style_.swath, rest * asLines_), .widthPx = 1.5 * style_.lineFactor * density_});
+    swathCasing_->setStyle({.color = faded(style_.ground, 0.75 * rest * asLines_),
+                            .widthPx = (1.5 * style_.lineFactor + 1.8) * density_});
+    worked_->setStyle(faded(style_.swath, 0.4 * rest * (1.0 - asLines_)));
+    worked_->setShown(style_.showSwaths && asLines_ < 1.0);
+    swaths_->setShown(style_.showSwaths && asLines_ > 0.0);
+    swathCasing_->setShown(style_.showSwaths && style_.onImagery && asLines_ > 0.0);
     for (const ChunkNode& chunk : chunks_) {
         styleChunk(chunk);
     }
@@ -224,9 +219,14 @@ void PlanScene::styleDensity() {
 
 void PlanScene::setView(const PlanView& view, QQuickWindow* window) {
     transform_->setMatrix(view.matrix);
+    // Lines a few pixels apart would run into one area at their full width, and into a pattern of their own
+    // closer than that: what their distance leaves of the lines, an area takes.
     const double spacingPx = geometry_ ? geometry_->swathSpacing * view.pixelsPerUnit : 10.0;
-    if (spacingPx != spacingPx_) {
-        spacingPx_ = spacingPx;
+    const double density = std::clamp(spacingPx / 5.0, 0.45, 1.0);
+    const double asLines = std::clamp((spacingPx - kLinesFromPx) / (kFillBelowPx - kLinesFromPx), 0.0, 1.0);
+    if (density != density_ || asLines != asLines_) {
+        density_ = density;
+        asLines_ = asLines;
         styleDensity();
     }
     showSelection();

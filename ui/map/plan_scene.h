@@ -126,8 +126,10 @@ private:
 
     std::shared_ptr<const PlanGeometry> geometry_;
     PlanStyle style_;
-    /// Between swaths, pixels.
-    double spacingPx_ = 10.0;
+    /// Of line widths: 1 where lines have room.
+    double density_ = 1.0;
+    /// How much of the swaths is drawn as lines; the rest as an area.
+    double asLines_ = 1.0;
     /// The segment and the cell whose lines are in the selection's nodes.
     std::pair<int, int> selected_{-1, -1};
     QSGTransformNode* transform_ = new QSGTransformNode;
