@@ -4,68 +4,35 @@ import Furrow.Controls
 import Furrow.Text
 
 /// A picture that was added lies elsewhere: says how far, and offers to go there.
-Rectangle {
+NoticeCard {
     id: root
 
-    /// Of the field; empty where there is none.
-    property geoRectangle field
+    /// Of the picture.
     property geoRectangle area
-    property bool shown: false
-    readonly property real away: shown && area.isValid && field.isValid ? area.center.distanceTo(field.center) : 0
+    property real away: 0
     signal goRequested()
 
     objectName: "farImagery"
-    visible: shown
-    width: 400
-    height: column.height + 28
-    radius: Theme.cardRadius
-    color: Theme.panel
-    border.width: Theme.hairline
-    border.color: Theme.line
-    Accessible.role: Accessible.AlertMessage
-    Accessible.name: message.text
+    visible: away > 0
+    text: qsTr("This picture does not show the field: it lies %1 away.").arg(Display.quantities.scaleText(root.away))
 
-    SoftShadow { radius: root.radius }
-    Column {
-        id: column
-
-        x: 16
-        y: 14
-        width: parent.width - 32
-        spacing: 8
-
-        BodyText {
-            id: message
-
-            objectName: "farImagery.text"
-            width: parent.width
-            text: qsTr("This picture does not show the field: it lies %1 away.").arg(Display.quantities.scaleText(root.away))
-            font.weight: Font.DemiBold
-            wrapMode: Text.Wrap
-        }
-        Row {
-            spacing: 8
-
-            PushButton {
-                objectName: "farImagery.go"
-                text: qsTr("Go there")
-                onClicked: {
-                    root.shown = false;
-                    root.goRequested();
-                }
-            }
-            PushButton {
-                objectName: "farImagery.close"
-                text: qsTr("Close")
-                onClicked: root.shown = false
-            }
+    PushButton {
+        objectName: "farImagery.go"
+        text: qsTr("Go there")
+        onClicked: {
+            root.away = 0;
+            root.goRequested();
         }
     }
+    PushButton {
+        objectName: "farImagery.close"
+        text: qsTr("Close")
+        onClicked: root.away = 0
+    }
 
-    /// Whether it is far: then it is told.
+    /// Tells it where the picture does not touch the field.
     function look(area: geoRectangle, field: geoRectangle): void {
         root.area = area;
-        root.field = field;
-        root.shown = field.isValid && area.isValid && !area.intersects(field);
+        root.away = field.isValid && area.isValid && !area.intersects(field) ? area.center.distanceTo(field.center) : 0;
     }
 }
