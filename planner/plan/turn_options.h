@@ -20,8 +20,7 @@ struct TurnOption {
 /// A turn of a plan beside what else could be driven there.
 struct TurnOptions {
     /// The least distance of tractor and implement from the edge of where they may be; negative outside.
-    /// Empty for ways that the audit does not measure.
-    std::optional<Length> clearance;
+    Length clearance;
     std::vector<TurnOption> others;  ///< those that fit first, the quickest first
 };
 

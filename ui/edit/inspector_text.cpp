@@ -318,9 +318,7 @@ std::optional<InspectorText> inspectorText(const Selection& selection, const Fie
 }
 
 void addOptions(InspectorText& text, const TurnOptions& options) {
-    if (options.clearance) {
-        text.rows.push_back(figure(Words::tr("From the edge"), metresText(*options.clearance, 2)));
-    }
+    text.rows.push_back(figure(Words::tr("From the edge"), metresText(options.clearance, 2)));
     for (const TurnOption& other : options.others) {
         text.rows.push_back(figure(Words::tr("Instead: %1").arg(shown(other.name)),
                                    other.fits ? Words::tr("about %1").arg(exactDurationText(other.duration))

@@ -45,12 +45,10 @@ private slots:
         QVERIFY(plan->drivable());
         const auto turns = drivenTurns(plan->path);
         QVERIFY(!turns.empty());
-        double least = 1e9;
         for (const DrivenTurn& turn : turns) {
             const auto options = turnOptions(*plan, turn.firstSegment, {});
-            QVERIFY(options && *options && (*options)->clearance);
-            const double clearance = (*options)->clearance->si();
-            least = std::min(least, clearance);
+            QVERIFY(options && *options);
+            const double clearance = (*options)->clearance.si();
             // No turn comes nearer than the whole path does.
             QVERIFY2(
                 clearance >= plan->audit.minClearance->si() - 0.03,
@@ -66,7 +64,6 @@ private slots:
                 others, [](const TurnOption& option) { return option.name.text() == "Forward curves"; });
             QVERIFY(hasDubins || plan->path.segments[turn.firstSegment].turnType == "dubins");
         }
-        QVERIFY(least < 1e9);
     }
     void aSwathHasNone() {
         const auto plan = planOf("agbot");
