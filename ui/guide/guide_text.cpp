@@ -47,9 +47,9 @@ bool holdsAll(const QString& text, const QStringList& words) {
 
 }  // namespace
 
-GuideChapter guideChapter(const QString& name, const QString& markdown) {
+GuideChapter guideChapter(const QString& markdown) {
     static const QRegularExpression picture{QStringLiteral(R"(^!\[([^\]]*)\]\(pictures/([^)]+)\)$)")};
-    GuideChapter chapter{.name = name, .title = {}, .blocks = {}};
+    GuideChapter chapter;
     GuideBlock block;
     const auto flush = [&] {
         block.text = block.text.trimmed();
@@ -118,7 +118,7 @@ std::vector<GuideChapter> guideIn(const QString& language) {
         const QString own = kGuide.arg(language, name);
         QFile text{QFile::exists(own) ? own : kGuide.arg(QStringLiteral("en"), name)};
         if (text.open(QIODevice::ReadOnly)) {
-            chapters.push_back(guideChapter(name, QString::fromUtf8(text.readAll())));
+            chapters.push_back(guideChapter(QString::fromUtf8(text.readAll())));
         }
     }
     return chapters;

@@ -17,7 +17,6 @@ struct GuideBlock {
 };
 
 struct GuideChapter {
-    QString name;  ///< of its file: "01-first-plan"
     QString title;
     std::vector<GuideBlock> blocks;
 };
@@ -31,7 +30,7 @@ struct GuideHit {
 };
 
 /// A chapter from its file. Each heading, paragraph, list and picture is a block.
-GuideChapter guideChapter(const QString& name, const QString& markdown);
+GuideChapter guideChapter(const QString& markdown);
 
 /// The blocks that hold every word of the query, together with the heading above them; headings first. Cost:
 /// O(text).

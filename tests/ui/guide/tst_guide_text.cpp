@@ -54,9 +54,9 @@ class TestGuideText : public QObject {
 
 private slots:
     void aChapterFallsIntoBlocks() {
-        const GuideChapter read = guideChapter(
-            QStringLiteral("x"), QStringLiteral("# Title\n\nBefore.\n\n## One\n\nText **bold**.\n\n"
-                                                "![A picture](pictures/a.png)\n\nAfter.\n"));
+        const GuideChapter read =
+            guideChapter(QStringLiteral("# Title\n\nBefore.\n\n## One\n\nText **bold**.\n\n"
+                                        "![A picture](pictures/a.png)\n\nAfter.\n"));
         QCOMPARE(read.title, QStringLiteral("Title"));
         QCOMPARE(read.blocks.size(), std::size_t{5});
         QCOMPARE(read.blocks[0].text, QStringLiteral("Before."));
@@ -68,9 +68,8 @@ private slots:
     }
     void wordsAreFound() {
         const std::vector<GuideChapter> chapters{
-            guideChapter(QStringLiteral("1"), QStringLiteral("# One\n\n## Headland\n\nWide as a turn.\n")),
-            guideChapter(QStringLiteral("2"),
-                         QStringLiteral("# Two\n\n## Else\n\nThe headland is a **strip**.\n"))};
+            guideChapter(QStringLiteral("# One\n\n## Headland\n\nWide as a turn.\n")),
+            guideChapter(QStringLiteral("# Two\n\n## Else\n\nThe headland is a **strip**.\n"))};
         const auto hits = searchGuide(chapters, QStringLiteral("headland"));
         QCOMPARE(hits.size(), std::size_t{2});
         QCOMPARE(hits[0].chapter, 0);
@@ -138,8 +137,8 @@ private slots:
         for (const char* name : {"01-first-plan", "02-steps", "03-window"}) {
             const QString file = QLatin1String{name};
             const QString text = textOf(QStringLiteral("resources/guide/%1/%2.md").arg(language, file));
-            const GuideChapter own = guideChapter(file, text);
-            const GuideChapter english = guideChapter(file, chapter(file));
+            const GuideChapter own = guideChapter(text);
+            const GuideChapter english = guideChapter(chapter(file));
             QVERIFY2(!own.title.isEmpty(), name);
             QCOMPARE(own.blocks.size(), english.blocks.size());
             for (std::size_t i = 0; i < own.blocks.size(); ++i) {

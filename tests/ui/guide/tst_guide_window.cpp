@@ -14,7 +14,6 @@ private:
     /// A part of the window for the guide. Written to the guide where that is asked for, otherwise compared
     /// in its size: a picture of another window would be of another.
     void guidePicture(const QString& name, const QRect& part) {
-        QTest::qWait(0);
         const QImage image = window_->grabWindow().copy(part);
         const QString file = QStringLiteral(FURROW_SOURCE_DIR "/resources/guide/pictures/%1.png").arg(name);
         if (qEnvironmentVariableIsSet("FURROW_WRITE_GUIDE")) {
@@ -96,9 +95,28 @@ private slots:
         picture(QStringLiteral("about"));
         key(Qt::Key_Escape);
         QTRY_VERIFY(!shows(QStringLiteral("about.licence")));
+        // Commands of similar names may stand above it.
+        const auto rowOf = [this](const QString& text) {
+            for (int row = 0; row < 9; ++row) {
+                const QQuickItem* each = item(QStringLiteral("palette.row.%1").arg(row));
+                if (each != nullptr && each->property("text").toString() == text) {
+                    return QStringLiteral("palette.row.%1").arg(row);
+                }
+            }
+            return QString{};
+        };
         find(session_->farm()->fieldName());
+        QTRY_VERIFY_WITH_TIMEOUT(!rowOf(session_->farm()->fields().first()).isEmpty(), 5000);
         picture(QStringLiteral("palette_field"));
         key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("palette.row.0")));
+        // A finding is gone to.
+        QVERIFY(session_->findings()->count() > 0);
+        const QString finding = session_->findings()->texts().first();
+        find(finding.left(30));
+        QTRY_VERIFY_WITH_TIMEOUT(!rowOf(finding).isEmpty(), 5000);
+        click(rowOf(finding));
+        QTRY_COMPARE(editor()->selectedFinding(), 0);
     }
     void pictures() {
         openSample(QStringLiteral("Home Field"));
