@@ -177,10 +177,10 @@ void addLines(KmlText& kml, const ExportJob& job) {
 
 void addPlan(KmlText& kml, const Plan& plan) {
     kml.folder("Swaths");
-    for (std::size_t order = 0; order < plan.route.steps.size(); ++order) {
-        const RouteStep& step = plan.route.steps[order];
-        pugi::xml_node mark = kml.placemark(std::format("Swath {}", order + 1), "line", "swath");
-        kml.data("number", std::format("{}", plan.swaths.swaths[step.swath].number));
+    for (const RouteStep& step : plan.route.steps) {
+        const int number = plan.swaths.swaths[step.swath].number;
+        pugi::xml_node mark = kml.placemark(std::format("Swath {}", number), "line", "swath");
+        kml.data("number", std::format("{}", number));
         kml.data("width_m", std::format("{}", plan.swaths.swaths[step.swath].width.si()));
         KmlText::line(mark, swathLine(plan, step));
     }
