@@ -26,6 +26,10 @@ QString changeText(const SettingChange& change) {
 
 }  // namespace
 
+static_assert(static_cast<int>(Weight::Blocks) == FindingsModel::Blocks &&
+              static_cast<int>(Weight::Look) == FindingsModel::Look &&
+              static_cast<int>(Weight::Information) == FindingsModel::Information);
+
 FindingsModel::FindingsModel(QObject* parent) : QAbstractListModel{parent} {
     connect(&Display::instance(), &Display::changed, this, [this] {
         if (rowCount() > 0) {
