@@ -34,6 +34,7 @@ Item {
 
     objectName: "tour"
     visible: running
+    Keys.onEscapePressed: root.leave()
     onHasFieldChanged: root.tick(0, root.hasField)
     onMachineNameChanged: root.tick(1, root.machineName !== root.machineAtStart)
     onDraggingChanged: root.tick(2, root.dragging)
@@ -96,8 +97,6 @@ Item {
                     font.weight: Font.DemiBold
                 }
                 ToolIconButton {
-                    id: leaveButton
-
                     objectName: "tour.leave"
                     anchors { right: parent.right; rightMargin: -6; verticalCenter: parent.verticalCenter }
                     iconName: "close"
@@ -206,18 +205,5 @@ Item {
         root.running = false;
         root.place = null;
         root.seen = true;
-    }
-    Shortcut {
-        enabled: root.running && (leaveButton.activeFocus || root.anyRowFocused())
-        sequences: [StandardKey.Cancel]
-        onActivated: root.leave()
-    }
-    function anyRowFocused(): bool {
-        const focused = root.Window.activeFocusItem;
-        for (let i = 0; i < rows.count; ++i) {
-            if (focused !== null && rows.itemAt(i) === focused)
-                return true;
-        }
-        return false;
     }
 }
