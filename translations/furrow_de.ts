@@ -1892,18 +1892,6 @@
         <translation>Plan umbenennen</translation>
     </message>
     <message>
-        <source>Everything at %1 %</source>
-        <translation>Alles auf %1 %</translation>
-    </message>
-    <message>
-        <source>This holds from the next start of Furrow.</source>
-        <translation>Das gilt ab dem nächsten Start von Furrow.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
         <source>Add a plan to each field</source>
         <translation>Jedem Schlag einen Plan hinzufügen</translation>
     </message>
@@ -1930,10 +1918,6 @@
     <message>
         <source>finding</source>
         <translation>Hinweis</translation>
-    </message>
-    <message>
-        <source>Click the place on the map. Esc ends it.</source>
-        <translation>Klicken Sie die Stelle auf der Karte an. Esc beendet es.</translation>
     </message>
     <message>
         <source>Keep the machine as</source>
@@ -2113,6 +2097,13 @@
     <message>
         <source>On the map</source>
         <translation>Auf der Karte</translation>
+    </message>
+</context>
+<context>
+    <name>Pickers</name>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Klicken Sie die Stelle auf der Karte an. Esc beendet es.</translation>
     </message>
 </context>
 <context>
@@ -7099,6 +7090,21 @@
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>WindowDialogs</name>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles auf %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Das gilt ab dem nächsten Start von Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>

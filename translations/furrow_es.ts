@@ -1892,18 +1892,6 @@
         <translation>Renombrar el plan</translation>
     </message>
     <message>
-        <source>Everything at %1 %</source>
-        <translation>Todo al %1 %</translation>
-    </message>
-    <message>
-        <source>This holds from the next start of Furrow.</source>
-        <translation>Esto se aplica a partir del próximo inicio de Furrow.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>Aceptar</translation>
-    </message>
-    <message>
         <source>Add a plan to each field</source>
         <translation>Añadir un plan a cada parcela</translation>
     </message>
@@ -1930,10 +1918,6 @@
     <message>
         <source>finding</source>
         <translation>aviso</translation>
-    </message>
-    <message>
-        <source>Click the place on the map. Esc ends it.</source>
-        <translation>Pulse el lugar en el mapa. Esc lo termina.</translation>
     </message>
     <message>
         <source>Keep the machine as</source>
@@ -2113,6 +2097,13 @@
     <message>
         <source>On the map</source>
         <translation>En el mapa</translation>
+    </message>
+</context>
+<context>
+    <name>Pickers</name>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Pulse el lugar en el mapa. Esc lo termina.</translation>
     </message>
 </context>
 <context>
@@ -7099,6 +7090,21 @@
     <message>
         <source>Save</source>
         <translation>Guardar</translation>
+    </message>
+</context>
+<context>
+    <name>WindowDialogs</name>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Todo al %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Esto se aplica a partir del próximo inicio de Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>

@@ -1892,18 +1892,6 @@
         <translation>Renommer le plan</translation>
     </message>
     <message>
-        <source>Everything at %1 %</source>
-        <translation>Tout à %1 %</translation>
-    </message>
-    <message>
-        <source>This holds from the next start of Furrow.</source>
-        <translation>Cela prend effet au prochain démarrage de Furrow.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
         <source>Add a plan to each field</source>
         <translation>Ajouter un plan à chaque parcelle</translation>
     </message>
@@ -1930,10 +1918,6 @@
     <message>
         <source>finding</source>
         <translation>remarque</translation>
-    </message>
-    <message>
-        <source>Click the place on the map. Esc ends it.</source>
-        <translation>Cliquez l’endroit sur la carte. Échap y met fin.</translation>
     </message>
     <message>
         <source>Keep the machine as</source>
@@ -2113,6 +2097,13 @@
     <message>
         <source>On the map</source>
         <translation>Sur la carte</translation>
+    </message>
+</context>
+<context>
+    <name>Pickers</name>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Cliquez l’endroit sur la carte. Échap y met fin.</translation>
     </message>
 </context>
 <context>
@@ -7099,6 +7090,21 @@
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>WindowDialogs</name>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tout à %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Cela prend effet au prochain démarrage de Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>

@@ -1892,18 +1892,6 @@
         <translation>Plan hernoemen</translation>
     </message>
     <message>
-        <source>Everything at %1 %</source>
-        <translation>Alles op %1 %</translation>
-    </message>
-    <message>
-        <source>This holds from the next start of Furrow.</source>
-        <translation>Dit geldt vanaf de volgende start van Furrow.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
         <source>Add a plan to each field</source>
         <translation>Aan elk perceel een plan toevoegen</translation>
     </message>
@@ -1930,10 +1918,6 @@
     <message>
         <source>finding</source>
         <translation>bevinding</translation>
-    </message>
-    <message>
-        <source>Click the place on the map. Esc ends it.</source>
-        <translation>Klik de plek op de kaart aan. Esc beëindigt het.</translation>
     </message>
     <message>
         <source>Keep the machine as</source>
@@ -2113,6 +2097,13 @@
     <message>
         <source>On the map</source>
         <translation>Op de kaart</translation>
+    </message>
+</context>
+<context>
+    <name>Pickers</name>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Klik de plek op de kaart aan. Esc beëindigt het.</translation>
     </message>
 </context>
 <context>
@@ -7099,6 +7090,21 @@
     <message>
         <source>Save</source>
         <translation>Opslaan</translation>
+    </message>
+</context>
+<context>
+    <name>WindowDialogs</name>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Alles op %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Dit geldt vanaf de volgende start van Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>

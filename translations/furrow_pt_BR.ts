@@ -1892,18 +1892,6 @@
         <translation>Renomear o plano</translation>
     </message>
     <message>
-        <source>Everything at %1 %</source>
-        <translation>Tudo em %1 %</translation>
-    </message>
-    <message>
-        <source>This holds from the next start of Furrow.</source>
-        <translation>Isto vale a partir do próximo início do Furrow.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
         <source>Add a plan to each field</source>
         <translation>Adicionar um plano a cada talhão</translation>
     </message>
@@ -1930,10 +1918,6 @@
     <message>
         <source>finding</source>
         <translation>aviso</translation>
-    </message>
-    <message>
-        <source>Click the place on the map. Esc ends it.</source>
-        <translation>Clique no lugar no mapa. Esc encerra.</translation>
     </message>
     <message>
         <source>Keep the machine as</source>
@@ -2113,6 +2097,13 @@
     <message>
         <source>On the map</source>
         <translation>No mapa</translation>
+    </message>
+</context>
+<context>
+    <name>Pickers</name>
+    <message>
+        <source>Click the place on the map. Esc ends it.</source>
+        <translation>Clique no lugar no mapa. Esc encerra.</translation>
     </message>
 </context>
 <context>
@@ -7099,6 +7090,21 @@
     <message>
         <source>Save</source>
         <translation>Salvar</translation>
+    </message>
+</context>
+<context>
+    <name>WindowDialogs</name>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tudo em %1 %</translation>
+    </message>
+    <message>
+        <source>This holds from the next start of Furrow.</source>
+        <translation>Isto vale a partir do próximo início do Furrow.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>

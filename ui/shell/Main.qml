@@ -1,7 +1,6 @@
 import QtQuick
 import QtCore
 import QtQuick.Controls
-import QtQuick.Dialogs
 import QtPositioning
 import Furrow.Best
 import Furrow.Commands
@@ -14,13 +13,11 @@ import Furrow.Export
 import Furrow.Guide
 import Furrow.Farm
 import Furrow.Layers
-import Furrow.Map
 import Furrow.Plan
 import Furrow.Project
 import Furrow.Report
 import Furrow.Results
 import Furrow.Review
-import Furrow.Settings
 import Furrow.Trouble
 
 /// The window: top bar, steps, map, results.
@@ -49,8 +46,6 @@ ApplicationWindow {
     property bool stepsWanted: true
     readonly property bool stepsOpen: stepsWanted && !farmOpen
     readonly property bool panelOpen: !farmOpen && !besideOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
-    /// What is drawn is a plan of what the panels showed before.
-    readonly property bool planIsOld: session.shown.hasPlan && (session.planning.state === PlanState.OutOfDate || session.planning.state === PlanState.Planning && session.planning.slow && !session.shown.draft)
     readonly property int currentFinding: page.editor.selectedFinding
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
@@ -151,7 +146,7 @@ ApplicationWindow {
         driveBar: driveBar
         page: page
         layersPanel: layersPanel
-        scaleSetting: scaleSetting
+        scaleSetting: windowDialogs.scaleSetting
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
         onImageryRequested: imageryDialogs.addFiles()
@@ -171,6 +166,7 @@ ApplicationWindow {
         onDriveBarRequested: on => root.driveWanted = on
         onDriveRequested: segment => root.driveFrom(segment)
         onTrackRequested: {
+            root.guideOpen = false;
             root.farmWanted = false;
             root.compareWanted = false;
             drivenDialog.open();
@@ -181,17 +177,18 @@ ApplicationWindow {
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
-        onKeysRequested: keysDialog.open()
+        onKeysRequested: windowDialogs.keys.open()
         onGuideRequested: root.guideOpen ? root.closeGuide() : root.showGuide()
-        onAboutRequested: aboutDialog.open()
-        onTroubleRequested: troubleDialog.open()
-        onPreferencesRequested: preferencesDialog.open()
+        onAboutRequested: windowDialogs.about.open()
+        onTroubleRequested: windowDialogs.trouble.open()
+        onPreferencesRequested: windowDialogs.preferences.open()
         onTourRequested: tour.start()
         onQuitRequested: root.close()
         onPanelRequested: {
-            root.panelWanted = !root.panelWanted;
-            if (root.panelWanted && !root.roomForSteps)
-                root.stepsWanted = false;
+            if (root.guideOpen || !root.panelWanted)
+                root.openResults();
+            else
+                root.panelWanted = false;
         }
         onStepsRequested: root.stepsWanted = !root.stepsWanted
     }
@@ -213,53 +210,11 @@ ApplicationWindow {
         onAboutToShow: entries = root.searchable()
         onEntryChosen: entry => root.goTo(entry)
     }
-    KeysDialog {
-        id: keysDialog
+    WindowDialogs {
+        id: windowDialogs
 
-        anchors.centerIn: Overlay.overlay
-        commands: appCommands.all
-    }
-    TroubleDialog {
-        id: troubleDialog
-
-        anchors.centerIn: Overlay.overlay
+        commands: appCommands
         report: root.session.trouble
-    }
-    AboutDialog {
-        id: aboutDialog
-
-        anchors.centerIn: Overlay.overlay
-        version: Application.version
-    }
-    PreferencesDialog {
-        id: preferencesDialog
-
-        anchors.centerIn: Overlay.overlay
-    }
-    ScaleSetting {
-        id: scaleSetting
-
-        onChanged: scaleDialog.open()
-    }
-    ThemedDialog {
-        id: scaleDialog
-
-        objectName: "scaleDialog"
-        anchors.centerIn: Overlay.overlay
-        title: qsTr("Everything at %1 %").arg(scaleSetting.percent)
-        closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
-
-        BodyText {
-            width: parent.width
-            text: qsTr("This holds from the next start of Furrow.")
-            wrapMode: Text.WordWrap
-        }
-        PushButton {
-            objectName: "scaleDialog.close"
-            focus: true
-            text: qsTr("OK")
-            onClicked: scaleDialog.close()
-        }
     }
     NameDialog {
         id: nameDialog
@@ -329,6 +284,16 @@ ApplicationWindow {
         onBestPlanRequested: bestPlanDialog.open()
         onSwathChosen: segment => page.editor.selectSegment(segment)
     }
+    MapStyle {
+        id: mapStyle
+
+        shown: root.session.shown
+        planning: root.session.planning
+        imagery: root.session.imagery
+        layers: layersPanel.layers
+        editor: page.editor
+        steppingCells: root.steppingCells
+    }
     MapPage {
         id: page
 
@@ -347,41 +312,7 @@ ApplicationWindow {
         online: layersPanel.layers.online
         layersOpen: layersPanel.open
         onLayersRequested: layersPanel.open = !layersPanel.open
-        planStyle: ({
-                boundary: Theme.boundary,
-                casing: Theme.casing,
-                headland: Theme.headland,
-                swath: Theme.swath,
-                turn: Theme.turn,
-                finding: Theme.finding,
-                obstacle: Theme.obstacle,
-                start: Theme.startMark,
-                end: Theme.endMark,
-                ground: Theme.panel,
-                ink: Theme.ink,
-                lineFactor: Theme.lineFactor,
-                showBoundary: layersPanel.layers.boundary && !page.editor.dragging && !root.session.shown.behind,
-                showHeadland: layersPanel.layers.headland,
-                showSwaths: layersPanel.layers.swaths,
-                showTurns: layersPanel.layers.turns && !root.steppingCells,
-                showDirections: layersPanel.layers.directions && !root.steppingCells,
-                showNumbers: layersPanel.layers.numbers && !root.steppingCells,
-                covered: Theme.covered,
-                overlap: Theme.overlap,
-                missed: Theme.missed,
-                wheels: Theme.wheels,
-                showCoverage: layersPanel.layers.coverage,
-                showOverlap: layersPanel.layers.overlap,
-                showMissed: layersPanel.layers.missed && !root.steppingCells,
-                showWheels: layersPanel.layers.wheels,
-                onImagery: layersPanel.layers.online || layersPanel.layers.imagery && root.session.imagery.count > 0,
-                showFindings: layersPanel.layers.findings && !root.steppingCells,
-                showOrder: layersPanel.layers.order && !root.steppingCells,
-                selectedFinding: root.currentFinding,
-                selectedSegment: page.editor.selectedSegment,
-                selectedCell: page.editor.selectedCell,
-                old: root.planIsOld
-            })
+        planStyle: mapStyle.style
         overlays: [
             DrivenLayer {
                 anchors.fill: parent
@@ -442,17 +373,12 @@ ApplicationWindow {
                     results.reviewSection.write(place);
                 }
             },
-            PlacePicker {
-                id: picker
-
-                property string key: ""
-
-                objectName: "picker"
-
+            Pickers {
                 anchors.fill: parent
+                planning: root.session.planning
+                files: root.session.files
                 camera: page.camera
-                hint: qsTr("Click the place on the map. Esc ends it.")
-                onPicked: place => root.session.planning.set(key, "POINT (%1 %2)".arg(place.longitude.toFixed(8)).arg(place.latitude.toFixed(8)))
+                onToolRequested: tool => page.startTool(tool)
             },
             FindingPulse {
                 id: pulse
@@ -493,7 +419,7 @@ ApplicationWindow {
             z: 1
             anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
             report: root.session.trouble
-            onReportRequested: troubleDialog.open()
+            onReportRequested: windowDialogs.trouble.open()
         }
         ImageryNotice {
             z: 1
@@ -712,39 +638,11 @@ ApplicationWindow {
             page.fitField(false);
         }
     }
-    Item {
-        FileDialog {
-            id: pickedFile
-
-            property string key: ""
-
-            objectName: "pickedFileDialog"
-            fileMode: FileDialog.OpenFile
-            onAccepted: root.session.planning.set(key, root.session.files.pathOf(selectedFile))
-        }
-    }
     Connections {
         target: root.session.planning.machine
 
         function onNameRequested(): void {
             root.askName(qsTr("Keep the machine as"), root.session.planning.machine.name, "", false, name => root.session.planning.machine.keepAs(name));
-        }
-    }
-    Connections {
-        target: root.session.planning.steps
-
-        function onPickRequested(key: string, how: int): void {
-            if (how === ParameterModel.Pick.Place) {
-                picker.key = key;
-                picker.picking = true;
-            } else if (how === ParameterModel.Pick.Line) {
-                page.startTool(FieldEditor.Guide);
-            } else if (how === ParameterModel.Pick.Split) {
-                page.startTool(FieldEditor.Split);
-            } else if (how === ParameterModel.Pick.File) {
-                pickedFile.key = key;
-                pickedFile.open();
-            }
         }
     }
     Connections {
