@@ -19,7 +19,7 @@ ThemedDialog {
 
     objectName: "keysDialog"
     title: qsTr("Keys and mouse")
-    width: Math.min(980, (parent ? parent.width : 980) - 40)
+    width: Math.min(980, windowWidth - 40)
     closePolicy: ThemedDialog.CloseOnEscape | ThemedDialog.CloseOnPressOutside
 
     Grid {

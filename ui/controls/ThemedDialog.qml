@@ -7,12 +7,15 @@ T.Popup {
 
     property string title: ""
     default property alias body: column.data
+    /// The window's, whatever the dialog stands in.
+    readonly property real windowWidth: T.Overlay.overlay ? T.Overlay.overlay.width : 1280
+    readonly property real windowHeight: T.Overlay.overlay ? T.Overlay.overlay.height : 0
 
     modal: true
     focus: true
     width: 440
     implicitHeight: contentItem.implicitHeight + 2 * padding
-    height: Math.min(implicitHeight, T.Overlay.overlay && T.Overlay.overlay.height > 0 ? T.Overlay.overlay.height - 16 : implicitHeight)
+    height: windowHeight > 0 ? Math.min(implicitHeight, windowHeight - 16) : implicitHeight
     padding: 24
     closePolicy: T.Popup.CloseOnEscape
 

@@ -550,7 +550,7 @@ ApplicationWindow {
 
         objectName: "guidePanel"
         anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
-        width: Math.min(440, root.width - 48)
+        width: Math.min(440, Math.max(340, root.width * 0.34), root.width - 48)
         visible: root.guideOpen
         onCloseRequested: root.closeGuide()
     }
