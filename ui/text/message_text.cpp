@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 
 namespace furrow {
 
@@ -61,6 +62,12 @@ QString argumentText(const MessageArgument& argument) {
     return quantity(argument).replace(QLatin1Char(' '), QChar{QChar::Nbsp});
 }
 
+/// Keys of settings are for the command line; in the window a setting has a name and a place.
+QString withoutKeys(QString text) {
+    static const QRegularExpression key{QStringLiteral(" \\([a-z]+\\.[a-z_]+\\)")};
+    return text.remove(key);
+}
+
 /// %1 ... in one go: what an argument holds is not looked at again.
 QString filled(const QString& pattern, const std::vector<MessageArgument>& arguments, std::size_t first) {
     QString text;
@@ -95,9 +102,9 @@ QString shown(const Message& message) {
         // English needs no translation: the planner has put one or many already.
         const bool translated = counted != QString{source}.replace(QLatin1String{"%n"}, number);
         text = translated ? counted : fromStd(message.englishPattern()).replace(QLatin1String{"%n"}, number);
-        text = filled(text, message.arguments(), 1);
+        text = filled(withoutKeys(text), message.arguments(), 1);
     } else {
-        text = QCoreApplication::translate(kContext, key.c_str());
+        text = withoutKeys(QCoreApplication::translate(kContext, key.c_str()));
         if (!message.arguments().empty()) {
             text = filled(text, message.arguments(), 0);
         }

@@ -78,6 +78,17 @@ private slots:
         QCOMPARE(shown(Message{"fields/West.shp"}), QStringLiteral("fields/West.shp"));
     }
 
+    void keysAreForTheCommandLine() {
+        Display::instance().force(QStringLiteral("en"), Display::Metric);
+        QCOMPARE(shown(message("split line {} does not lie inside the headland and cuts nothing "
+                               "(decomposition.split)",
+                               2)),
+                 QStringLiteral("split line 2 does not lie inside the headland and cuts nothing"));
+        // What a user called so stays.
+        QCOMPARE(shown(message("several fields are called '{}'", "West (path.method)")),
+                 QStringLiteral("several fields are called 'West (path.method)'"));
+    }
+
     void portugalHasItsOwnWords() {
         Display::instance().force(QStringLiteral("pt_PT"), Display::Metric);
         QCOMPARE(shown("Implement can reverse"), QStringLiteral("A alfaia aceita ré"));
