@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>Everything at %1 %</source>
-        <translation>Alles auf %1 %</translation>
+        <translation>Anzeige auf %1 %</translation>
     </message>
     <message>
         <source>size scaling zoom large text</source>
@@ -304,7 +304,7 @@
     </message>
     <message>
         <source>Add imagery…</source>
-        <translation>Luftbild hinzufügen…</translation>
+        <translation>Luftbild hinzufügen …</translation>
     </message>
     <message>
         <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
@@ -312,7 +312,7 @@
     </message>
     <message>
         <source>Add a folder of tiles…</source>
-        <translation>Ordner mit Kacheln hinzufügen…</translation>
+        <translation>Ordner mit Kacheln hinzufügen …</translation>
     </message>
     <message>
         <source>imagery XYZ TMS</source>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Layer: OpenStreetMap from the network</source>
-        <translation>Ebene: OpenStreetMap aus dem Netz</translation>
+        <translation>Ebene: OpenStreetMap aus dem Internet</translation>
     </message>
     <message>
         <source>online tiles</source>
@@ -380,7 +380,7 @@
     </message>
     <message>
         <source>Select the next outline, line or gate</source>
-        <translation>Nächsten Umriss, Linie oder Zufahrt</translation>
+        <translation>Nächsten Umriss, nächste Linie oder Zufahrt auswählen</translation>
     </message>
     <message>
         <source>PgDown</source>
@@ -396,7 +396,7 @@
     </message>
     <message>
         <source>Find the best plan…</source>
-        <translation>Besten Plan suchen…</translation>
+        <translation>Besten Plan suchen …</translation>
     </message>
     <message>
         <source>quickest optimise compare alternatives</source>
@@ -428,7 +428,7 @@
     </message>
     <message>
         <source>drive play here swath turn</source>
-        <translation>fahren abspielen hier Spur Wende</translation>
+        <translation>fahren abspielen hier Spur Wendung</translation>
     </message>
     <message>
         <source>Drive faster</source>
@@ -460,7 +460,7 @@
     </message>
     <message>
         <source>Comment on a place…</source>
-        <translation>Stelle kommentieren…</translation>
+        <translation>Stelle kommentieren …</translation>
     </message>
     <message>
         <source>review note remark pin</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>Comment on the whole plan…</source>
-        <translation>Ganzen Plan kommentieren…</translation>
+        <translation>Ganzen Plan kommentieren …</translation>
     </message>
     <message>
         <source>review note remark</source>
@@ -476,7 +476,7 @@
     </message>
     <message>
         <source>Send for review…</source>
-        <translation>Zur Durchsicht geben…</translation>
+        <translation>Zur Durchsicht geben …</translation>
     </message>
     <message>
         <source>contractor share file approve</source>
@@ -484,7 +484,7 @@
     </message>
     <message>
         <source>Take in a review that came back…</source>
-        <translation>Zurückgekommene Durchsicht übernehmen…</translation>
+        <translation>Zurückgekommene Durchsicht übernehmen …</translation>
     </message>
     <message>
         <source>merge comments contractor</source>
@@ -524,7 +524,7 @@
     </message>
     <message>
         <source>Compare with a recorded track…</source>
-        <translation>Mit einer Aufzeichnung vergleichen…</translation>
+        <translation>Mit einer Aufzeichnung vergleichen …</translation>
     </message>
     <message>
         <source>driven recorded GPX NMEA log cross-track error compare</source>
@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>Size of everything</source>
-        <translation>Größe von allem</translation>
+        <translation>Größe der Anzeige</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -548,7 +548,7 @@
     </message>
     <message>
         <source>Layer: swath numbers</source>
-        <translation>Ebene: Nummern der Spuren</translation>
+        <translation>Ebene: Spurnummern</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -568,7 +568,7 @@
     </message>
     <message>
         <source>Report a problem…</source>
-        <translation>Ein Problem melden…</translation>
+        <translation>Ein Problem melden …</translation>
     </message>
     <message>
         <source>bug crash support error</source>
@@ -642,7 +642,7 @@
     </message>
     <message>
         <source>Stop and keep</source>
-        <translation>Anhalten und nehmen</translation>
+        <translation>Anhalten und behalten</translation>
     </message>
     <message>
         <source>Use this plan</source>
@@ -728,7 +728,7 @@
     </message>
     <message>
         <source>Click the place that you want to comment on. Esc ends it.</source>
-        <translation>Klicken Sie auf die Stelle, die Sie kommentieren wollen. Esc beendet es.</translation>
+        <translation>Die Stelle anklicken, zu der der Kommentar gehört. Esc beendet es.</translation>
     </message>
 </context>
 <context>
@@ -770,7 +770,7 @@
     </message>
     <message>
         <source>Keep this plan as a variant…</source>
-        <translation>Diesen Plan als Variante behalten…</translation>
+        <translation>Diesen Plan als Variante behalten …</translation>
     </message>
     <message>
         <source>The other plan is being made …</source>
@@ -825,7 +825,7 @@
     </message>
     <message>
         <source>Report a problem…</source>
-        <translation>Ein Problem melden…</translation>
+        <translation>Ein Problem melden …</translation>
     </message>
     <message>
         <source>Close</source>
@@ -894,7 +894,7 @@
     </message>
     <message>
         <source>Go to the farthest place</source>
-        <translation>Zur weitesten Stelle</translation>
+        <translation>Zum größten Abstand</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -906,7 +906,7 @@
     </message>
     <message>
         <source>Another track…</source>
-        <translation>Andere Aufzeichnung…</translation>
+        <translation>Andere Aufzeichnung …</translation>
     </message>
 </context>
 <context>
@@ -1019,7 +1019,7 @@
     </message>
     <message>
         <source>Choose…</source>
-        <translation>Auswählen …</translation>
+        <translation>Wählen …</translation>
     </message>
     <message>
         <source>Folder for the plan</source>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Plant …</translation>
+        <translation>Wird geplant …</translation>
     </message>
     <message>
         <source>All are planned</source>
@@ -1189,11 +1189,11 @@
     </message>
     <message>
         <source>Add a plan to each…</source>
-        <translation>Jedem einen Plan hinzufügen…</translation>
+        <translation>Jedem einen Plan hinzufügen …</translation>
     </message>
     <message>
         <source>Print…</source>
-        <translation>Drucken…</translation>
+        <translation>Drucken …</translation>
     </message>
 </context>
 <context>
@@ -1227,7 +1227,7 @@
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
         <translation>
-            <numerusform>Ist es dieser %n Schlag?</numerusform>
+            <numerusform>Welcher Schlag (%n)?</numerusform>
             <numerusform>Welcher der %n Schläge?</numerusform>
         </translation>
     </message>
@@ -1306,7 +1306,7 @@
     </message>
     <message>
         <source>Nothing is found. Try another word.</source>
-        <translation>Nichts gefunden. Versuchen Sie ein anderes Wort.</translation>
+        <translation>Nichts gefunden. Ein anderes Wort versuchen.</translation>
     </message>
 </context>
 <context>
@@ -1325,7 +1325,7 @@
     </message>
     <message>
         <source>missed</source>
-        <translation>Ausgelassen</translation>
+        <translation>Fehlstellen</translation>
     </message>
     <message>
         <source>turning</source>
@@ -1375,15 +1375,15 @@
     <name>ImageryList</name>
     <message>
         <source>Your own pictures and heights: GeoTIFF, MBTiles or a folder of tiles. They stay on this computer.</source>
-        <translation>Ihre eigenen Bilder und Höhen: GeoTIFF, MBTiles oder ein Ordner mit Kacheln. Sie bleiben auf diesem Rechner.</translation>
+        <translation>Ihre eigenen Bilder und Höhen: GeoTIFF, MBTiles oder ein Ordner mit Kacheln. Sie bleiben auf diesem Computer.</translation>
     </message>
     <message>
         <source>Add files…</source>
-        <translation>Dateien hinzufügen…</translation>
+        <translation>Dateien hinzufügen …</translation>
     </message>
     <message>
         <source>Add a folder of tiles…</source>
-        <translation>Ordner mit Kacheln hinzufügen…</translation>
+        <translation>Ordner mit Kacheln hinzufügen …</translation>
     </message>
 </context>
 <context>
@@ -1496,7 +1496,7 @@
     </message>
     <message>
         <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
-        <translation>Ziehen verschiebt sie seitlich; der Punkt in ihrer Mitte macht einen weiteren Eckpunkt.</translation>
+        <translation>Ziehen verschiebt sie seitlich; der Punkt in ihrer Mitte ergibt einen weiteren Eckpunkt.</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1816,11 +1816,11 @@
     </message>
     <message>
         <source>Wheel passes</source>
-        <translation>Radspuren</translation>
+        <translation>Überfahrten</translation>
     </message>
     <message>
         <source>Swath numbers</source>
-        <translation>Nummern der Spuren</translation>
+        <translation>Spurnummern</translation>
     </message>
 </context>
 <context>
@@ -1839,7 +1839,7 @@
     </message>
     <message>
         <source>From the network</source>
-        <translation>Aus dem Netz</translation>
+        <translation>Aus dem Internet</translation>
     </message>
     <message>
         <source>OpenStreetMap</source>
@@ -1847,7 +1847,7 @@
     </message>
     <message>
         <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
-        <translation>Fragt openstreetmap.org nach dem, was zu sehen ist. Ausgeschaltet verlässt nichts diesen Rechner.</translation>
+        <translation>Fragt openstreetmap.org nach dem, was zu sehen ist. Ausgeschaltet verlässt nichts diesen Computer.</translation>
     </message>
 </context>
 <context>
@@ -1862,7 +1862,7 @@
     </message>
     <message>
         <source>Keep as your own…</source>
-        <translation>Als eigene behalten…</translation>
+        <translation>Als eigene behalten …</translation>
     </message>
     <message>
         <source>Remove from your own</source>
@@ -2008,11 +2008,11 @@
     <name>OrderEditor</name>
     <message>
         <source>Change the order by hand…</source>
-        <translation>Reihenfolge von Hand ändern…</translation>
+        <translation>Reihenfolge von Hand ändern …</translation>
     </message>
     <message>
         <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
-        <translation>Ziehen Sie eine Spur an ihren neuen Platz. Oder klicken Sie Spuren auf der Karte an: jede folgt auf die zuvor angeklickte.</translation>
+        <translation>Eine Spur an ihren neuen Platz ziehen. Oder Spuren auf der Karte anklicken: Jede folgt auf die zuvor angeklickte.</translation>
     </message>
     <message>
         <source>Order of swaths</source>
@@ -2073,7 +2073,7 @@
     </message>
     <message>
         <source>Try again</source>
-        <translation>Noch einmal versuchen</translation>
+        <translation>Erneut versuchen</translation>
     </message>
 </context>
 <context>
@@ -2092,7 +2092,7 @@
     </message>
     <message>
         <source>Choose…</source>
-        <translation>Wählen…</translation>
+        <translation>Wählen …</translation>
     </message>
     <message>
         <source>On the map</source>
@@ -2103,7 +2103,7 @@
     <name>Pickers</name>
     <message>
         <source>Click the place on the map. Esc ends it.</source>
-        <translation>Klicken Sie die Stelle auf der Karte an. Esc beendet es.</translation>
+        <translation>Die Stelle auf der Karte anklicken. Esc beendet es.</translation>
     </message>
 </context>
 <context>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>%1 crosses an obstacle, by %2.</source>
-        <translation>%1 quert ein Hindernis, um %2.</translation>
+        <translation>%1 ragt %2 in ein Hindernis hinein.</translation>
     </message>
     <message>
         <source>%1 crosses an obstacle.</source>
@@ -2221,7 +2221,7 @@
     </message>
     <message>
         <source>%1 moves %2 off where the machine points.</source>
-        <translation>%1 fährt %2 anders, als die Maschine zeigt.</translation>
+        <translation>%1 weicht um %2 von der Richtung ab, in die die Maschine zeigt.</translation>
     </message>
     <message>
         <source>%1 needs %2</source>
@@ -2237,7 +2237,7 @@
     </message>
     <message>
         <source>%1 of margin leaves nothing of the field to work</source>
-        <translation>%1 Sicherheitsabstand lassen vom Schlag nichts zum Bearbeiten übrig</translation>
+        <translation>bei %1 Sicherheitsabstand bleibt vom Schlag nichts zu bearbeiten</translation>
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
@@ -2253,15 +2253,15 @@
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
-        <translation>%1, %2 ist keine Länge und Breite</translation>
+        <translation>%1, %2 ist kein Längen- und Breitengrad</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
-        <translation>%1, %2 ist keine Länge und Breite, und die Datei sagt nicht, welches Koordinatensystem sie hat</translation>
+        <translation>%1, %2 ist kein Längen- und Breitengrad, und die Datei sagt nicht, welches Koordinatensystem sie hat</translation>
     </message>
     <message>
         <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
-        <translation>%1, %2 liegt außerhalb von Länge -180 bis 180 und Breite -90 bis 90</translation>
+        <translation>%1, %2 liegt außerhalb der Längengrade -180 bis 180 und Breitengrade -90 bis 90</translation>
     </message>
     <message>
         <source>%1, %2, line %3</source>
@@ -2427,11 +2427,11 @@
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
-        <translation>&apos;%1&apos;, &apos;%2&apos; ist keine Breite und Länge</translation>
+        <translation>„%1“, „%2“ ist kein Breiten- und Längengrad</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
-        <translation>„%1“, „%2“ ist keine Länge und Breite</translation>
+        <translation>„%1“, „%2“ ist kein Längen- und Breitengrad</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -2511,7 +2511,7 @@
     </message>
     <message>
         <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
-        <translation>AgOpenGPS fährt aufgezeichnete Wege nur vorwärts, und dieser fährt %1-mal rückwärts: seine %2 Vorwärtsstücke sind &apos;Part 01.rec&apos; und so weiter, RecPath.txt ist das erste; %3 unter 5 m fehlen.</translation>
+        <translation>AgOpenGPS fährt aufgezeichnete Wege nur vorwärts, und dieser fährt %1-mal rückwärts: seine %2 Vorwärtsstücke sind „Part 01.rec“ und so weiter, RecPath.txt ist das erste; %3 unter 5 m fehlen.</translation>
     </message>
     <message>
         <source>AgOpenGPS field</source>
@@ -2543,7 +2543,7 @@
     </message>
     <message>
         <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
-        <translation>An jeder Kante so breit, wie die Wendungen dort es brauchen; eine einzige Fahrt, wo keine Spur endet, oder nichts, wenn es nicht bearbeitet wird.</translation>
+        <translation>An jeder Kante so breit, wie die Wendungen dort es brauchen; eine einzige Vorgewendespur, wo keine Spur endet, oder nichts, wenn das Vorgewende nicht bearbeitet wird.</translation>
     </message>
     <message>
         <source>Along rows that are there already, or between them.</source>
@@ -2563,7 +2563,7 @@
     </message>
     <message>
         <source>Along the headland</source>
-        <translation>Am Vorgewende entlang</translation>
+        <translation>Auf dem Vorgewende</translation>
     </message>
     <message>
         <source>Along the line from A to B; one swath lies on it.</source>
@@ -2651,7 +2651,7 @@
     </message>
     <message>
         <source>Boundaries in longitude and latitude.</source>
-        <translation>Feldgrenzen in Länge und Breite.</translation>
+        <translation>Feldgrenzen in Längen- und Breitengraden.</translation>
     </message>
     <message>
         <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
@@ -2763,7 +2763,7 @@
     </message>
     <message>
         <source>Crop protection: headland first, ways along the headland.</source>
-        <translation>Pflanzenschutz: Vorgewende zuerst, Wege am Vorgewende entlang.</translation>
+        <translation>Pflanzenschutz: Vorgewende zuerst, Wege auf dem Vorgewende.</translation>
     </message>
     <message>
         <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Drilling or planting: headland last, ways along the headland.</source>
-        <translation>Drillen oder Legen: Vorgewende zuletzt, Wege am Vorgewende entlang.</translation>
+        <translation>Drillen oder Legen: Vorgewende zuletzt, Wege auf dem Vorgewende.</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -2819,7 +2819,7 @@
     </message>
     <message>
         <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
-        <translation>Fährt von Wegpunkt zu Wegpunkt und rundet Ecken auf seine Weise; Relais 1 ist ein, wo das Gerät arbeitet. Von uns nicht an der Maschine geprüft.</translation>
+        <translation>Fährt von Wegpunkt zu Wegpunkt und rundet Ecken auf seine Weise; Relais 1 ist eingeschaltet, wo das Gerät arbeitet. Von uns nicht an der Maschine geprüft.</translation>
     </message>
     <message>
         <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
@@ -2867,7 +2867,7 @@
     </message>
     <message>
         <source>Fertiliser or manure: headland first, ways along the headland.</source>
-        <translation>Dünger oder Gülle: Vorgewende zuerst, Wege am Vorgewende entlang.</translation>
+        <translation>Dünger oder Gülle: Vorgewende zuerst, Wege auf dem Vorgewende.</translation>
     </message>
     <message>
         <source>Fertiliser spreader, 36 m</source>
@@ -2883,7 +2883,7 @@
     </message>
     <message>
         <source>Finish corners</source>
-        <translation>Ecken fertig bearbeiten</translation>
+        <translation>Ecken nacharbeiten</translation>
     </message>
     <message>
         <source>First tramline</source>
@@ -2919,7 +2919,7 @@
     </message>
     <message>
         <source>From clear of the ground to working depth.</source>
-        <translation>Von frei vom Boden bis zur Arbeitstiefe.</translation>
+        <translation>Von ausgehoben bis auf Arbeitstiefe.</translation>
     </message>
     <message>
         <source>From inside out</source>
@@ -2947,11 +2947,11 @@
     </message>
     <message>
         <source>From the tractor&apos;s nose to its rear end.</source>
-        <translation>Von der Nase des Schleppers bis zum Heck.</translation>
+        <translation>Von der Front des Schleppers bis zum Heck.</translation>
     </message>
     <message>
         <source>From working depth to clear of the ground.</source>
-        <translation>Von der Arbeitstiefe bis frei vom Boden.</translation>
+        <translation>Von Arbeitstiefe bis ausgehoben.</translation>
     </message>
     <message>
         <source>Front and rear mower, 9 m</source>
@@ -2963,7 +2963,7 @@
     </message>
     <message>
         <source>Fuel in turns</source>
-        <translation>Kraftstoff in Wendungen</translation>
+        <translation>Kraftstoff beim Wenden</translation>
     </message>
     <message>
         <source>Full spacing; the last swath is moved back to the edge.</source>
@@ -3023,11 +3023,11 @@
     </message>
     <message>
         <source>Hitch offset</source>
-        <translation>Lage des Anhängepunkts</translation>
+        <translation>Lage der Anhängung</translation>
     </message>
     <message>
         <source>Home Field</source>
-        <translation>Hausfeld</translation>
+        <translation>Hofschlag</translation>
     </message>
     <message>
         <source>How far a trailed implement may swing to one side.</source>
@@ -3123,11 +3123,11 @@
     </message>
     <message>
         <source>Least overlap</source>
-        <translation>Wenigste Überlappung</translation>
+        <translation>Geringste Überlappung</translation>
     </message>
     <message>
         <source>Least time</source>
-        <translation>Wenigste Zeit</translation>
+        <translation>Kürzeste Zeit</translation>
     </message>
     <message>
         <source>Leaves some swaths out at each turn and comes back for them.</source>
@@ -3151,7 +3151,7 @@
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
-        <translation>Liter Kraftstoff je Stunde in Wendungen und Überfahrten.</translation>
+        <translation>Liter Kraftstoff je Stunde in Wendungen und Leerfahrten.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of work.</source>
@@ -3371,7 +3371,7 @@
     </message>
     <message>
         <source>Relay 1 is on where the implement works.</source>
-        <translation>Relais 1 ist ein, wo das Gerät arbeitet.</translation>
+        <translation>Relais 1 ist eingeschaltet, wo das Gerät arbeitet.</translation>
     </message>
     <message>
         <source>Repaired in %1: %2.</source>
@@ -3467,7 +3467,7 @@
     </message>
     <message>
         <source>Six-row planter, 4.5 m</source>
-        <translation>Sechsreihige Legemaschine, 4,5 m</translation>
+        <translation>Einzelkornsämaschine, 6 Reihen, 4,5 m</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -3631,7 +3631,7 @@
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
-        <translation>Der Schlag ist zu schmal für %1 Vorgewende; es hat %2 mit %3</translation>
+        <translation>Der Schlag ist zu schmal für %1 Vorgewende; es werden %2 mit %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
@@ -3867,7 +3867,7 @@
     </message>
     <message>
         <source>Transfer speed</source>
-        <translation>Fahrgeschwindigkeit ohne Arbeit</translation>
+        <translation>Geschwindigkeit bei Leerfahrt</translation>
     </message>
     <message>
         <source>Transport width</source>
@@ -3947,7 +3947,7 @@
     </message>
     <message>
         <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
-        <translation>Wie weit das Gerät über Feldgrenze und Hindernissen stehen darf, mit dort abgeschalteten Teilbreiten; Schlepper und alle Räder bleiben im Schlag.</translation>
+        <translation>Wie weit das Gerät über Feldgrenze und Hindernisse ragen darf; die Teilbreiten sind dort abgeschaltet, Schlepper und alle Räder bleiben im Schlag.</translation>
     </message>
     <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
@@ -4099,7 +4099,7 @@
     </message>
     <message>
         <source>a point has no place in EPSG:%1</source>
-        <translation>ein Punkt hat keinen Ort in EPSG:%1</translation>
+        <translation>ein Punkt hat keine Lage in EPSG:%1</translation>
     </message>
     <message>
         <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
@@ -4107,11 +4107,11 @@
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
-        <translation>ein Splitter von %1 wurde weggelassen</translation>
+        <translation>ein schmaler Rest von %1 wurde weggelassen</translation>
     </message>
     <message>
         <source>a track that ended %1 from where it began was closed</source>
-        <translation>eine Spur, die %1 vor ihrem Anfang endete, wurde geschlossen</translation>
+        <translation>eine Aufzeichnung, die %1 vor ihrem Anfang endete, wurde geschlossen</translation>
     </message>
     <message>
         <source>a value of its own</source>
@@ -4175,7 +4175,7 @@
     </message>
     <message>
         <source>check the path</source>
-        <translation>den Pfad prüfen</translation>
+        <translation>den Dateipfad prüfen</translation>
     </message>
     <message>
         <source>choose a narrower headland or a narrower machine</source>
@@ -4191,7 +4191,7 @@
     </message>
     <message>
         <source>choose one by its id: %1</source>
-        <translation>wählen Sie einen nach seiner Kennung: %1</translation>
+        <translation>einen nach seiner Kennung wählen: %1</translation>
     </message>
     <message>
         <source>choose one by its number in the file: %1</source>
@@ -4219,7 +4219,7 @@
     </message>
     <message>
         <source>correct it, or remove the hole or obstacle from the file</source>
-        <translation>berichtigen Sie es, oder entfernen Sie die Aussparung oder das Hindernis aus der Datei</translation>
+        <translation>berichtigen, oder die Aussparung oder das Hindernis aus der Datei entfernen</translation>
     </message>
     <message>
         <source>correct or delete this point in the file</source>
@@ -4243,7 +4243,7 @@
     </message>
     <message>
         <source>decimal commas in the place of the field were taken for points</source>
-        <translation>Dezimalkommas im Ort des Schlags wurden als Punkte gelesen</translation>
+        <translation>Dezimalkommas in der Lage des Schlags wurden als Punkte gelesen</translation>
     </message>
     <message>
         <source>delete some of them</source>
@@ -4255,11 +4255,11 @@
     </message>
     <message>
         <source>did you mean &apos;%1&apos;?</source>
-        <translation>gemeint „%1“?</translation>
+        <translation>meinten Sie „%1“?</translation>
     </message>
     <message>
         <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
-        <translation>gemeint „%1“? eine davon verwenden: %2; oder eine Maschinendatei (.json) angeben</translation>
+        <translation>meinten Sie „%1“? eine davon verwenden: %2; oder eine Maschinendatei (.json) angeben</translation>
     </message>
     <message>
         <source>download the file and give its path</source>
@@ -4275,11 +4275,11 @@
     </message>
     <message>
         <source>draw it as an area, or remove it from the file</source>
-        <translation>zeichnen Sie es als Fläche, oder entfernen Sie es aus der Datei</translation>
+        <translation>als Fläche zeichnen oder aus der Datei entfernen</translation>
     </message>
     <message>
         <source>draw it, or remove it from the file</source>
-        <translation>zeichnen Sie es, oder entfernen Sie es aus der Datei</translation>
+        <translation>zeichnen oder aus der Datei entfernen</translation>
     </message>
     <message>
         <source>draw one or open a file that has one</source>
@@ -4287,7 +4287,7 @@
     </message>
     <message>
         <source>draw or open one in the window first</source>
-        <translation>zeichnen oder öffnen Sie zuerst einen im Fenster</translation>
+        <translation>zuerst einen im Fenster zeichnen oder öffnen</translation>
     </message>
     <message>
         <source>export fewer fields at once</source>
@@ -4311,7 +4311,7 @@
     </message>
     <message>
         <source>export the field again in WGS84 (longitude and latitude)</source>
-        <translation>den Schlag in WGS84 (Länge und Breite) neu exportieren</translation>
+        <translation>den Schlag in WGS84 (Längen- und Breitengrade) neu exportieren</translation>
     </message>
     <message>
         <source>export the field with its boundary</source>
@@ -4323,7 +4323,7 @@
     </message>
     <message>
         <source>export the fields again in one coordinate system</source>
-        <translation>exportieren Sie die Schläge noch einmal in einem einzigen Koordinatensystem</translation>
+        <translation>die Schläge noch einmal in einem einzigen Koordinatensystem exportieren</translation>
     </message>
     <message>
         <source>feature %1</source>
@@ -4451,7 +4451,7 @@
     </message>
     <message>
         <source>give each point as [longitude, latitude]</source>
-        <translation>jeden Punkt als [Länge, Breite] angeben</translation>
+        <translation>jeden Punkt als [Längengrad, Breitengrad] angeben</translation>
     </message>
     <message>
         <source>give heights as a GeoTIFF or an ASCII grid</source>
@@ -4463,7 +4463,7 @@
     </message>
     <message>
         <source>give it a kind, or remove it from the file</source>
-        <translation>geben Sie ihm eine Art, oder entfernen Sie es aus der Datei</translation>
+        <translation>eine Art angeben oder es aus der Datei entfernen</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, %1</source>
@@ -4479,7 +4479,7 @@
     </message>
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
-        <translation>geben Sie ihm den Schlag, in dem es liegt, oder entfernen Sie es aus der Datei</translation>
+        <translation>den Schlag angeben, in dem es liegt, oder es aus der Datei entfernen</translation>
     </message>
     <message>
         <source>give its width while it is folded</source>
@@ -4527,7 +4527,7 @@
     </message>
     <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
-        <translation>die Punkte in Grad (WGS84) angeben, Länge in lon und Breite in lat</translation>
+        <translation>die Punkte in Grad (WGS84) angeben, den Längengrad in lon und den Breitengrad in lat</translation>
     </message>
     <message>
         <source>give true or false</source>
@@ -4543,11 +4543,11 @@
     </message>
     <message>
         <source>guidance patterns whose points do not fit their kind</source>
-        <translation>Leitmuster, deren Punkte nicht zu ihrer Art passen</translation>
+        <translation>Leitlinien, deren Punkte nicht zu ihrer Art passen</translation>
     </message>
     <message>
         <source>guidance patterns without a line</source>
-        <translation>Leitmuster ohne Linie</translation>
+        <translation>Leitlinien ohne Verlauf</translation>
     </message>
     <message>
         <source>headland pass %1</source>
@@ -4623,7 +4623,7 @@
     </message>
     <message>
         <source>it is not what a plan&apos;s is</source>
-        <translation>es ist nicht das eines Plans</translation>
+        <translation>das ist nicht wie in einem Plan</translation>
     </message>
     <message>
         <source>it lies in none of the %1 fields</source>
@@ -4647,7 +4647,7 @@
     </message>
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
-        <translation>sie braucht Breite und Länge, wie 52.09,5.66</translation>
+        <translation>sie braucht Breiten- und Längengrad, wie 52.09,5.66</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -4663,7 +4663,7 @@
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; is not known</source>
-        <translation>das Koordinatensystem &apos;%1&apos; ist nicht bekannt</translation>
+        <translation>das Koordinatensystem „%1“ ist nicht bekannt</translation>
     </message>
     <message>
         <source>its coordinate system cannot be turned into WGS84</source>
@@ -4671,7 +4671,7 @@
     </message>
     <message>
         <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
-        <translation>ihr Koordinatensystem müsste von &apos;%1&apos; geholt werden</translation>
+        <translation>ihr Koordinatensystem müsste von „%1“ geholt werden</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4687,7 +4687,7 @@
     </message>
     <message>
         <source>its kind &apos;%1&apos; is not known</source>
-        <translation>seine Art &apos;%1&apos; ist nicht bekannt</translation>
+        <translation>seine Art „%1“ ist nicht bekannt</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4707,7 +4707,7 @@
     </message>
     <message>
         <source>leave it out, or give a project of the window</source>
-        <translation>lassen Sie es weg, oder geben Sie ein Projekt des Fensters an</translation>
+        <translation>weglassen oder ein Projekt des Fensters angeben</translation>
     </message>
     <message>
         <source>leaves the field by %1</source>
@@ -4919,7 +4919,7 @@
     </message>
     <message>
         <source>say how far to keep from it (buffer_m), or draw its outline</source>
-        <translation>geben Sie an, wie weit davon Abstand zu halten ist (buffer_m), oder zeichnen Sie seinen Umriss</translation>
+        <translation>angeben, wie viel Abstand zu halten ist (buffer_m), oder den Umriss zeichnen</translation>
     </message>
     <message>
         <source>several fields are called &apos;%1&apos;</source>
@@ -4927,7 +4927,7 @@
     </message>
     <message>
         <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation>mehrere Pläne von &apos;%1&apos; heißen &apos;%2&apos;</translation>
+        <translation>mehrere Pläne von „%1“ heißen „%2“</translation>
     </message>
     <message>
         <source>simplify it to at most a million</source>
@@ -4951,7 +4951,7 @@
     </message>
     <message>
         <source>take it away</source>
-        <translation>entfernen Sie es</translation>
+        <translation>die Angabe entfernen</translation>
     </message>
     <message>
         <source>take off its write protection, or use another one</source>
@@ -4987,7 +4987,7 @@
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
-        <translation>die Koordinaten liegen außerhalb von Länge -180 bis 180 und Breite -90 bis 90</translation>
+        <translation>die Koordinaten liegen außerhalb der Längengrade -180 bis 180 und Breitengrade -90 bis 90</translation>
     </message>
     <message>
         <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
@@ -5011,7 +5011,7 @@
     </message>
     <message>
         <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
-        <translation>der Schlag &apos;%1&apos; hat keinen Plan &apos;%2&apos;</translation>
+        <translation>der Schlag „%1“ hat keinen Plan „%2“</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -5027,7 +5027,7 @@
     </message>
     <message>
         <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>der Schlag ist über 100 km weit; %1, %2 liegt am weitesten ab</translation>
+        <translation>der Schlag reicht über mehr als 100 km; %1, %2 liegt am weitesten ab</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5099,7 +5099,7 @@
     </message>
     <message>
         <source>the line after StartFix is no place</source>
-        <translation>die Zeile nach StartFix ist kein Ort</translation>
+        <translation>die Zeile nach StartFix nennt keine Lage</translation>
     </message>
     <message>
         <source>the line crosses itself at %1, %2</source>
@@ -5107,7 +5107,7 @@
     </message>
     <message>
         <source>the line touches or crosses itself by a sliver; taken apart there</source>
-        <translation>die Linie berührt oder kreuzt sich um ein Geringes; dort getrennt</translation>
+        <translation>die Linie berührt oder kreuzt sich knapp selbst; dort getrennt</translation>
     </message>
     <message>
         <source>the lines from line %1 on are left out: it is damaged</source>
@@ -5159,7 +5159,7 @@
     </message>
     <message>
         <source>the place lies outside of the field</source>
-        <translation>der Ort liegt außerhalb des Schlags</translation>
+        <translation>die Stelle liegt außerhalb des Schlags</translation>
     </message>
     <message>
         <source>the plan gives no reason</source>
@@ -5211,11 +5211,11 @@
     </message>
     <message>
         <source>the transfer after %1</source>
-        <translation>die Überfahrt nach %1</translation>
+        <translation>die Leerfahrt nach %1</translation>
     </message>
     <message>
         <source>the transfer at %1</source>
-        <translation>die Überfahrt bei %1</translation>
+        <translation>die Leerfahrt bei %1</translation>
     </message>
     <message>
         <source>the turn after %1</source>
@@ -5263,7 +5263,7 @@
     </message>
     <message>
         <source>there is no field &apos;%1&apos; in the project</source>
-        <translation>es gibt keinen Schlag &apos;%1&apos; im Projekt</translation>
+        <translation>es gibt keinen Schlag „%1“ im Projekt</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>
@@ -5463,23 +5463,23 @@
     </message>
     <message>
         <source>choose a file or a folder of tiles</source>
-        <translation>wählen Sie eine Datei oder einen Ordner mit Kacheln</translation>
+        <translation>eine Datei oder einen Ordner mit Kacheln wählen</translation>
     </message>
     <message>
         <source>choose the folder that holds the folders of the zooms, 0 to 24</source>
-        <translation>wählen Sie den Ordner, in dem die Ordner der Zoomstufen liegen, 0 bis 24</translation>
+        <translation>den Ordner wählen, in dem die Ordner der Zoomstufen liegen, 0 bis 24</translation>
     </message>
     <message>
         <source>copy or export the file again</source>
-        <translation>kopieren oder exportieren Sie die Datei erneut</translation>
+        <translation>die Datei neu kopieren oder exportieren</translation>
     </message>
     <message>
         <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
-        <translation>geben Sie ein GeoTIFF, MBTiles oder einen Ordner mit Kacheln an</translation>
+        <translation>ein GeoTIFF, MBTiles oder einen Ordner mit Kacheln angeben</translation>
     </message>
     <message>
         <source>give a GeoTIFF, or export it again with its coordinate system</source>
-        <translation>geben Sie ein GeoTIFF an oder exportieren Sie es erneut mit seinem Koordinatensystem</translation>
+        <translation>ein GeoTIFF angeben oder mit seinem Koordinatensystem neu exportieren</translation>
     </message>
     <message>
         <source>it is damaged, or no picture that Furrow can show</source>
@@ -5491,7 +5491,7 @@
     </message>
     <message>
         <source>it is too large to be shown without overviews</source>
-        <translation>es ist zu groß, um ohne Übersichten gezeigt zu werden</translation>
+        <translation>es ist zu groß, um ohne Übersichtsbilder gezeigt zu werden</translation>
     </message>
     <message>
         <source>its tiles are in degrees, not in web Mercator</source>
@@ -5499,27 +5499,27 @@
     </message>
     <message>
         <source>make the tiles again</source>
-        <translation>erzeugen Sie die Kacheln neu</translation>
+        <translation>die Kacheln neu erzeugen</translation>
     </message>
     <message>
         <source>make them again with the profile mercator, or give the raster itself</source>
-        <translation>erzeugen Sie sie neu mit dem Profil mercator oder geben Sie das Raster selbst an</translation>
+        <translation>mit dem Profil mercator neu erzeugen oder das Raster selbst angeben</translation>
     </message>
     <message>
         <source>open it again</source>
-        <translation>öffnen Sie sie erneut</translation>
+        <translation>neu öffnen</translation>
     </message>
     <message>
         <source>put it back, or choose another one</source>
-        <translation>legen Sie sie zurück oder wählen Sie eine andere</translation>
+        <translation>wieder dorthin legen oder etwas anderes wählen</translation>
     </message>
     <message>
         <source>put it back, or remove the layer</source>
-        <translation>legen Sie sie zurück oder entfernen Sie die Ebene</translation>
+        <translation>wieder dorthin legen oder die Ebene entfernen</translation>
     </message>
     <message>
         <source>save it in tiles and with overviews (gdal_translate -of COG)</source>
-        <translation>speichern Sie es in Kacheln und mit Übersichten (gdal_translate -of COG)</translation>
+        <translation>in Kacheln und mit Übersichtsbildern speichern (gdal_translate -of COG)</translation>
     </message>
     <message>
         <source>the file cannot be read any more</source>
@@ -5551,7 +5551,7 @@
     </message>
     <message>
         <source>Receivers may refuse %1: %2.</source>
-        <translation>Empfänger könnten %1 ablehnen: %2.</translation>
+        <translation>Manche Terminals könnten %1 ablehnen: %2.</translation>
     </message>
     <message>
         <source>some systems do not allow a file of this name</source>
@@ -5559,7 +5559,7 @@
     </message>
     <message>
         <source>another file differs from it in capitals only</source>
-        <translation>eine andere Datei unterscheidet sich davon nur in Großbuchstaben</translation>
+        <translation>eine andere Datei unterscheidet sich davon nur durch Groß- und Kleinschreibung</translation>
     </message>
     <message>
         <source>%1, %2 is far from the field</source>
@@ -5611,7 +5611,7 @@
     </message>
     <message>
         <source>A and B of &apos;%1&apos; are the same place</source>
-        <translation>A und B von „%1“ sind derselbe Ort</translation>
+        <translation>A und B von „%1“ sind dieselbe Stelle</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is said to be %2 wide</source>
@@ -5647,7 +5647,7 @@
     </message>
     <message>
         <source>place %1 of the path is not where the plan goes next</source>
-        <translation>Stelle %1 des Fahrwegs ist nicht, wo der Plan weiterführt</translation>
+        <translation>Stelle %1 des Fahrwegs liegt nicht dort, wo der Plan weitergeht</translation>
     </message>
     <message>
         <source>the path does not begin and end as the plan does</source>
@@ -5679,7 +5679,7 @@
     </message>
     <message>
         <source>line %1 is not as this format has it</source>
-        <translation>Zeile %1 ist nicht, wie dieses Format sie hat</translation>
+        <translation>Zeile %1 entspricht nicht diesem Format</translation>
     </message>
     <message>
         <source>this is no %1</source>
@@ -5703,7 +5703,7 @@
     </message>
     <message>
         <source>%1 is referred to and not there</source>
-        <translation>auf %1 wird verwiesen, und es ist nicht da</translation>
+        <translation>auf %1 wird verwiesen, aber es fehlt</translation>
     </message>
     <message>
         <source>%1 is not known before version 4</source>
@@ -5727,7 +5727,7 @@
     </message>
     <message>
         <source>its shapes have heights or measures, which displays do not read</source>
-        <translation>ihre Formen haben Höhen oder Messwerte, die Anzeigen nicht lesen</translation>
+        <translation>ihre Formen haben Höhen oder Messwerte, die Displays nicht lesen</translation>
     </message>
     <message>
         <source>this is the recording of a drive (%1), and no boundary</source>
@@ -5735,7 +5735,7 @@
     </message>
     <message>
         <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
-        <translation>die Grenze des Schlags angeben; furrow-cli compare legt eine Aufzeichnung über einen Plan</translation>
+        <translation>die Feldgrenze angeben; furrow-cli compare legt eine Aufzeichnung über einen Plan</translation>
     </message>
     <message>
         <source>Raster mask</source>
@@ -5755,7 +5755,7 @@
     </message>
     <message>
         <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>Teilungslinie %1 endet %2 vor dem Vorgewende und trennt dort nichts ab (decomposition.split); ziehen Sie sie ganz hindurch</translation>
+        <translation>Teilungslinie %1 endet %2 vor dem Vorgewende und trennt dort nichts ab (decomposition.split); ganz durchziehen</translation>
     </message>
     <message>
         <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
@@ -5794,7 +5794,7 @@
     </message>
     <message>
         <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
-        <translation>Kürzere Spuren entfallen; automatisch ist die Länge des Geräts.</translation>
+        <translation>Kürzere Spuren entfallen; Auto ist die Länge des Geräts.</translation>
     </message>
     <message>
         <source>Prefer edges within (%)</source>
@@ -5810,7 +5810,7 @@
     </message>
     <message>
         <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
-        <translation>Das Gerät steht bis zu %1 über den Feldrand oder ein Hindernis, wie der Überstand es erlaubt.</translation>
+        <translation>Das Gerät ragt bis zu %1 über den Rand des Schlags oder über ein Hindernis, wie der Überstand es erlaubt.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5825,7 +5825,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>In ein Vorgewende von %1 passen %2; es ist %3 breit, der Rest gehört zu den Spuren</translation>
+        <translation>Ein Vorgewende von %1 fasst %2; es ist %3 breit, der Rest gehört zu den Spuren</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -5857,7 +5857,7 @@
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
-        <translation>eines von beiden angeben, oder eine Breite, in die genau diese Umfahrten passen</translation>
+        <translation>eines von beiden angeben oder eine Breite, in die genau diese Spuren passen</translation>
     </message>
     <message>
         <source>headland.width_m and headland.passes do not agree</source>
@@ -5881,7 +5881,7 @@
     </message>
     <message>
         <source>it has fewer problems</source>
-        <translation>er hat weniger Probleme</translation>
+        <translation>so gibt es weniger Probleme</translation>
     </message>
     <message>
         <source>it is %1 s quicker</source>
@@ -5889,7 +5889,7 @@
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>
-        <translation>der Rand und die befahrbaren Hindernisse lassen nichts zu bearbeiten</translation>
+        <translation>der Sicherheitsabstand und die überfahrbaren Hindernisse lassen nichts zum Bearbeiten übrig</translation>
     </message>
     <message>
         <source>make them smaller, or delete some of them</source>
@@ -5909,11 +5909,11 @@
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
-        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: eine kleinere Maschine oder einen kleineren Randabstand nehmen (%1).</translation>
+        <translation>Der Schlag ist zum Wenden mit dieser Maschine zu schmal: eine kleinere Maschine oder einen kleineren Sicherheitsabstand nehmen (%1).</translation>
     </message>
     <message>
         <source>No passes are driven in the headland (%1).</source>
-        <translation>Im Vorgewende wird nicht gefahren (%1).</translation>
+        <translation>Auf dem Vorgewende werden keine Spuren gefahren (%1).</translation>
     </message>
     <message>
         <source>The chosen swaths (%1) do not reach it.</source>
@@ -5925,11 +5925,11 @@
     </message>
     <message>
         <source>Land that is left is not finished, because that is switched off (%1).</source>
-        <translation>Reste werden nicht nachgearbeitet (%1).</translation>
+        <translation>Reste werden nicht nachgearbeitet, weil das ausgeschaltet ist (%1).</translation>
     </message>
     <message>
         <source>choose a smaller machine or a smaller margin (%1)</source>
-        <translation>eine kleinere Maschine oder einen kleineren Randabstand wählen (%1)</translation>
+        <translation>eine kleinere Maschine oder einen kleineren Sicherheitsabstand wählen (%1)</translation>
     </message>
     <message>
         <source>no row is left inside the headland</source>
@@ -5997,7 +5997,7 @@
     </message>
     <message>
         <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
-        <translation>Der wenigste Kraftstoff für Wendungen und Wege; die kürzeste Zeit, wenn die Maschine keine Verbrauchswerte hat.</translation>
+        <translation>Der geringste Kraftstoffverbrauch für Wendungen und Wege; die kürzeste Zeit, wenn die Maschine keine Verbrauchswerte hat.</translation>
     </message>
     <message>
         <source>The least time for turns and ways.</source>
@@ -6021,7 +6021,7 @@
     </message>
     <message>
         <source>Locked</source>
-        <translation>Fest</translation>
+        <translation>Festgelegt</translation>
     </message>
     <message>
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
@@ -6061,7 +6061,7 @@
     </message>
     <message>
         <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
-        <translation>So viele Streifen bleiben höchstens zwischen gefahrenen Spuren für später offen. Mit 0 kehrt die Maschine nie zu einer Lücke zurück, sodass eine zweite folgen kann; „auto“ setzt keine Grenze.</translation>
+        <translation>So viele Streifen bleiben höchstens zwischen gefahrenen Spuren für später offen. Mit 0 kehrt die Maschine nie zu einer Lücke zurück, sodass eine zweite folgen kann; Auto setzt keine Grenze.</translation>
     </message>
     <message>
         <source>Open strips</source>
@@ -6069,19 +6069,19 @@
     </message>
     <message>
         <source>The number of the swath that is driven first; auto takes any.</source>
-        <translation>Die Nummer der Spur, die zuerst gefahren wird; „auto“ nimmt irgendeine.</translation>
+        <translation>Die Nummer der Spur, die zuerst gefahren wird; Auto nimmt irgendeine.</translation>
     </message>
     <message>
         <source>The number of the swath that is driven last; auto takes any.</source>
-        <translation>Die Nummer der Spur, die zuletzt gefahren wird; „auto“ nimmt irgendeine.</translation>
+        <translation>Die Nummer der Spur, die zuletzt gefahren wird; Auto nimmt irgendeine.</translation>
     </message>
     <message>
         <source>allow more open strips, or lock fewer swaths</source>
-        <translation>erlauben Sie mehr offene Streifen, oder legen Sie weniger Spuren fest</translation>
+        <translation>mehr offene Streifen erlauben oder weniger Spuren festlegen</translation>
     </message>
     <message>
         <source>name another swath for the end</source>
-        <translation>nennen Sie eine andere Spur für das Ende</translation>
+        <translation>eine andere Spur für das Ende nennen</translation>
     </message>
     <message>
         <source>no order was found that keeps to all that is said of the order of swaths</source>
@@ -6097,7 +6097,7 @@
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
-        <translation>%1 kostet %2 mehr als der längste Rand (%3)</translation>
+        <translation>%1 kostet %2 mehr als die längste Kante (%3)</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
@@ -6105,7 +6105,7 @@
     </message>
     <message>
         <source>%1 is as quick as the longest edge (%2)</source>
-        <translation>%1 ist so schnell wie der längste Rand (%2)</translation>
+        <translation>%1 ist so schnell wie die längste Kante (%2)</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -6121,11 +6121,11 @@
     </message>
     <message>
         <source>%1 runs along the longest edge</source>
-        <translation>%1 läuft am längsten Rand entlang</translation>
+        <translation>%1 verläuft an der längsten Kante entlang</translation>
     </message>
     <message>
         <source>%1 saves %2 against the longest edge (%3)</source>
-        <translation>%1 spart %2 gegenüber dem längsten Rand (%3)</translation>
+        <translation>%1 spart %2 gegenüber der längsten Kante (%3)</translation>
     </message>
     <message>
         <source>%1 × %2, %3 each</source>
@@ -6182,15 +6182,15 @@
     </message>
     <message>
         <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
-        <translation>Ränder, an denen Spuren entlanglaufen, bekommen %1, Ränder, an denen sie enden, bis %2: eine Wendung dieser Maschine braucht %3.</translation>
+        <translation>Kanten, an denen Spuren entlanglaufen, bekommen %1, Kanten, an denen sie enden, bis %2: eine Wendung dieser Maschine braucht %3.</translation>
     </message>
     <message>
         <source>Everything keeps %1 from the boundary, as chosen.</source>
-        <translation>Alles bleibt %1 von der Grenze, wie gewählt.</translation>
+        <translation>Alles hält %1 Abstand zur Feldgrenze, wie gewählt.</translation>
     </message>
     <message>
         <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
-        <translation>Alles bleibt %1 von der Grenze: genauer ist nicht bekannt, wo sie verläuft.</translation>
+        <translation>Alles hält %1 Abstand zur Feldgrenze: genauer ist nicht bekannt, wo sie verläuft.</translation>
     </message>
     <message numerus="yes">
         <source>No heading has fewer than %n swaths.</source>
@@ -6201,7 +6201,7 @@
     </message>
     <message>
         <source>No heading that was tried covers more: %1 inside the headland.</source>
-        <translation>Keine geprüfte Richtung bearbeitet mehr: %1 innerhalb des Vorgewendes.</translation>
+        <translation>Keine geprüfte Richtung bearbeitet mehr: %1 der Innenfläche.</translation>
     </message>
     <message numerus="yes">
         <source>No heading that was tried has fewer than %n swaths.</source>
@@ -6303,7 +6303,7 @@
     </message>
     <message>
         <source>open the project that the plan was sent from, or open the file by itself</source>
-        <translation>öffnen Sie das Projekt, aus dem der Plan kam, oder die Datei für sich</translation>
+        <translation>das Projekt öffnen, aus dem der Plan kam, oder die Datei für sich öffnen</translation>
     </message>
     <message>
         <source>put it in quotation marks</source>
@@ -6319,11 +6319,11 @@
     </message>
     <message>
         <source>there is no way to drive</source>
-        <translation>es gibt keinen Weg zu fahren</translation>
+        <translation>es gibt keinen Fahrweg</translation>
     </message>
     <message>
         <source>turn on the spot</source>
-        <translation>Drehung auf der Stelle</translation>
+        <translation>Wendung auf der Stelle</translation>
     </message>
     <message>
         <source>turn with reversing</source>
@@ -6367,7 +6367,7 @@
     </message>
     <message>
         <source>did you mean %1?</source>
-        <translation>gemeint %1?</translation>
+        <translation>meinten Sie %1?</translation>
     </message>
     <message>
         <source>export it as a table, or remove it</source>
@@ -6702,11 +6702,11 @@
     </message>
     <message>
         <source>On a place…</source>
-        <translation>Zu einer Stelle…</translation>
+        <translation>Zu einer Stelle …</translation>
     </message>
     <message>
         <source>On the whole plan…</source>
-        <translation>Zum ganzen Plan…</translation>
+        <translation>Zum ganzen Plan …</translation>
     </message>
     <message>
         <source>Approve</source>
@@ -6718,15 +6718,15 @@
     </message>
     <message>
         <source>Send on…</source>
-        <translation>Weitergeben…</translation>
+        <translation>Weitergeben …</translation>
     </message>
     <message>
         <source>Send for review…</source>
-        <translation>Zur Durchsicht geben…</translation>
+        <translation>Zur Durchsicht geben …</translation>
     </message>
     <message>
         <source>Take in what came back…</source>
-        <translation>Zurückgekommenes übernehmen…</translation>
+        <translation>Zurückgekommenes übernehmen …</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6806,7 +6806,7 @@
     </message>
     <message>
         <source>Close boundary</source>
-        <translation>Grenze schließen</translation>
+        <translation>Feldgrenze schließen</translation>
     </message>
     <message>
         <source>Click where the split line begins</source>
@@ -6847,7 +6847,7 @@
     <name>StepsPanel</name>
     <message>
         <source>Find the best plan…</source>
-        <translation>Besten Plan suchen…</translation>
+        <translation>Besten Plan suchen …</translation>
     </message>
 </context>
 <context>
@@ -6908,11 +6908,11 @@
     <name>Tour</name>
     <message>
         <source>Get a field</source>
-        <translation>Einen Schlag holen</translation>
+        <translation>Einen Schlag anlegen</translation>
     </message>
     <message>
         <source>Open its boundary, draw it, or press here for a sample.</source>
-        <translation>Grenze öffnen, zeichnen oder hier für ein Beispiel drücken.</translation>
+        <translation>Feldgrenze öffnen, zeichnen oder hier für ein Beispiel drücken.</translation>
     </message>
     <message>
         <source>Choose your machine</source>
@@ -6975,7 +6975,7 @@
     </message>
     <message>
         <source>Save the report…</source>
-        <translation>Bericht speichern…</translation>
+        <translation>Bericht speichern …</translation>
     </message>
     <message>
         <source>Close</source>
@@ -7096,7 +7096,7 @@
     <name>WindowDialogs</name>
     <message>
         <source>Everything at %1 %</source>
-        <translation>Alles auf %1 %</translation>
+        <translation>Anzeige auf %1 %</translation>
     </message>
     <message>
         <source>This holds from the next start of Furrow.</source>
@@ -7147,8 +7147,8 @@
     <message numerus="yes">
         <source>Not drivable: %n problem(s)</source>
         <translation>
-            <numerusform>Nicht befahrbar: %n Problem</numerusform>
-            <numerusform>Nicht befahrbar: %n Probleme</numerusform>
+            <numerusform>Nicht fahrbar: %n Problem</numerusform>
+            <numerusform>Nicht fahrbar: %n Probleme</numerusform>
         </translation>
     </message>
     <message>
@@ -7497,7 +7497,7 @@
     </message>
     <message>
         <source>Not drivable</source>
-        <translation>Nicht befahrbar</translation>
+        <translation>Nicht fahrbar</translation>
     </message>
     <message>
         <source>Total</source>
@@ -7600,7 +7600,7 @@
     </message>
     <message>
         <source>implement folded</source>
-        <translation>Gerät geklappt</translation>
+        <translation>Gerät eingeklappt</translation>
     </message>
     <message>
         <source>implement up</source>
@@ -7608,7 +7608,7 @@
     </message>
     <message>
         <source>%1 done</source>
-        <translation>%1 erledigt</translation>
+        <translation>%1 bearbeitet</translation>
     </message>
     <message>
         <source>wheels straight</source>
@@ -7639,7 +7639,7 @@
     </message>
     <message>
         <source>Positions within one and a half widths of it; the figures are of these</source>
-        <translation>Orte bis eineinhalb Breiten daneben; die Zahlen gelten für diese</translation>
+        <translation>Positionen bis eineinhalb Breiten daneben; die Zahlen gelten für diese</translation>
     </message>
     <message>
         <source>Half are within</source>
@@ -7651,7 +7651,7 @@
     </message>
     <message>
         <source>Farthest</source>
-        <translation>Am weitesten</translation>
+        <translation>Größter Abstand</translation>
     </message>
     <message>
         <source>On average to the right</source>
@@ -7778,7 +7778,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Plant …</translation>
+        <translation>Wird geplant …</translation>
     </message>
     <message>
         <source>Drivable</source>
@@ -8053,7 +8053,7 @@
     </message>
     <message>
         <source>What is left inside the headland</source>
-        <translation>Was innerhalb des Vorgewendes bleibt</translation>
+        <translation>Die Innenfläche: was ohne das Vorgewende bleibt</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -8069,7 +8069,7 @@
     </message>
     <message>
         <source>Working</source>
-        <translation>Arbeit</translation>
+        <translation>Arbeiten</translation>
     </message>
     <message>
         <source>Turning</source>
@@ -8105,7 +8105,7 @@
     </message>
     <message>
         <source>Missed</source>
-        <translation>Ausgelassen</translation>
+        <translation>Fehlstellen</translation>
     </message>
     <message>
         <source>Outside the field</source>
@@ -8165,7 +8165,7 @@
     </message>
     <message>
         <source>%1 missed</source>
-        <translation>%1 ausgelassen</translation>
+        <translation>%1 Fehlstellen</translation>
     </message>
     <message>
         <source>Swaths along %1</source>
@@ -8312,7 +8312,7 @@
     </message>
     <message>
         <source>path %1</source>
-        <translation>Weg %1</translation>
+        <translation>Fahrweg %1</translation>
     </message>
     <message>
         <source>covered %1</source>
@@ -8339,7 +8339,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Weg</translation>
+        <translation>Fahrweg</translation>
     </message>
     <message>
         <source>Working</source>
@@ -8460,7 +8460,7 @@
     </message>
     <message>
         <source>Out of date · this is the plan before the change</source>
-        <translation>Veraltet · Plan von vor der Änderung</translation>
+        <translation>Veraltet · Plan vor der Änderung</translation>
     </message>
     <message>
         <source>Stopped · there is no plan</source>
@@ -8612,7 +8612,7 @@
     </message>
     <message>
         <source>Type something from %1 to %2.</source>
-        <translation>Etwas von %1 bis %2 eintippen.</translation>
+        <translation>Einen Wert von %1 bis %2 eintippen.</translation>
     </message>
     <message>
         <source>%1 mi</source>
@@ -8653,7 +8653,7 @@
     <name>furrow::ReviewModel</name>
     <message>
         <source>Only a finished plan of what the panels show can be sent.</source>
-        <translation>Nur ein fertiger Plan dessen, was die Schritte zeigen, kann verschickt werden.</translation>
+        <translation>Verschickt werden kann nur ein fertiger Plan zu den gezeigten Einstellungen.</translation>
     </message>
     <message>
         <source>Approved: %1</source>
@@ -8720,7 +8720,7 @@
     </message>
     <message>
         <source>The review was brought up to date</source>
-        <translation>Die Durchsicht ist auf neuem Stand</translation>
+        <translation>Die Durchsicht ist auf dem neuesten Stand</translation>
     </message>
     <message>
         <source>Nothing new in this review</source>
@@ -8808,7 +8808,7 @@
     </message>
     <message>
         <source>Open a file or draw a boundary</source>
-        <translation>Datei öffnen oder Grenze zeichnen</translation>
+        <translation>Datei öffnen oder Feldgrenze zeichnen</translation>
     </message>
     <message>
         <source>%1 wide</source>
@@ -8909,11 +8909,11 @@
     </message>
     <message>
         <source>every byte was read back, and the plan read from there is this plan.</source>
-        <translation>jedes Byte wurde zurückgelesen, und der Plan von dort ist dieser Plan.</translation>
+        <translation>jedes Byte wurde zurückgelesen, und der gelesene Plan stimmt mit diesem überein.</translation>
     </message>
     <message>
         <source>every byte was read back and is as written.</source>
-        <translation>jedes Byte wurde zurückgelesen und ist wie geschrieben.</translation>
+        <translation>jedes Byte wurde zurückgelesen und stimmt.</translation>
     </message>
     <message>
         <source>Written: %1</source>

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Furrow plans how a machine covers a farm field.</source>
-        <translation>Furrow planifica cómo una máquina recorre una parcela.</translation>
+        <translation>Furrow planifica cómo trabaja una máquina una parcela.</translation>
     </message>
     <message>
         <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
-        <translation>Los métodos siguen el artículo de Fields2Cover (Mier, Valente y de Bruin, 2023) y las fuentes que cita el diseño.</translation>
+        <translation>Los métodos siguen el artículo de Fields2Cover (Mier, Valente y de Bruin, 2023) y las fuentes citadas en el documento de diseño.</translation>
     </message>
     <message>
         <source>Built with %1.</source>
@@ -124,7 +124,7 @@
     </message>
     <message>
         <source>Find a command…</source>
-        <translation>Buscar una orden…</translation>
+        <translation>Buscar un comando…</translation>
     </message>
     <message>
         <source>Draw a field</source>
@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>Layer: driven over often</source>
-        <translation>Capa: muy transitado</translation>
+        <translation>Capa: pasos de rueda</translation>
     </message>
     <message>
         <source>wheel passes traffic compaction</source>
@@ -368,7 +368,7 @@
     </message>
     <message>
         <source>Take the tour</source>
-        <translation>Hacer el recorrido guiado</translation>
+        <translation>Hacer la visita guiada</translation>
     </message>
     <message>
         <source>help introduction first start</source>
@@ -420,7 +420,7 @@
     </message>
     <message>
         <source>drive play pause simulate machine</source>
-        <translation>recorrer reproducir pausar simular máquina</translation>
+        <translation>recorrer reproducir pausa simular máquina</translation>
     </message>
     <message>
         <source>Drive from what is selected</source>
@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>Size of everything</source>
-        <translation>Tamaño de todo</translation>
+        <translation>Tamaño de la interfaz</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
-        <translation>Se planifican otras opciones y se toma el plan transitable más rápido. Los márgenes, el solape y lo que exige la labor quedan como están.</translation>
+        <translation>Se planifican otras opciones y se toma el plan realizable más rápido. Los márgenes, el solape y lo que exige la labor quedan como están.</translation>
     </message>
     <message>
         <source>May change</source>
@@ -599,7 +599,7 @@
     </message>
     <message>
         <source>%1 (set by you)</source>
-        <translation>%1 (por usted)</translation>
+        <translation>%1 (su elección)</translation>
     </message>
     <message>
         <source>Best plan</source>
@@ -642,7 +642,7 @@
     </message>
     <message>
         <source>Stop and keep</source>
-        <translation>Parar y conservar</translation>
+        <translation>Detener y conservar</translation>
     </message>
     <message>
         <source>Use this plan</source>
@@ -689,8 +689,8 @@
     <message numerus="yes">
         <source>%n other(s) are slower still, or cannot be driven.</source>
         <translation>
-            <numerusform>%n más es aún más lenta o no es transitable.</numerusform>
-            <numerusform>%n más son aún más lentas o no son transitables.</numerusform>
+            <numerusform>%n más es aún más lenta o irrealizable.</numerusform>
+            <numerusform>%n más son aún más lentas o irrealizables.</numerusform>
         </translation>
     </message>
 </context>
@@ -713,11 +713,11 @@
     </message>
     <message>
         <source>Search commands and settings</source>
-        <translation>Buscar órdenes y ajustes</translation>
+        <translation>Buscar comandos y ajustes</translation>
     </message>
     <message>
         <source>There is no command and no setting of that name</source>
-        <translation>No hay ninguna orden ni ajuste con ese nombre</translation>
+        <translation>No hay ningún comando ni ajuste con ese nombre</translation>
     </message>
 </context>
 <context>
@@ -728,7 +728,7 @@
     </message>
     <message>
         <source>Click the place that you want to comment on. Esc ends it.</source>
-        <translation>Haga clic en el lugar que quiere comentar. Esc lo termina.</translation>
+        <translation>Haga clic en el lugar que quiere comentar. Esc para terminar.</translation>
     </message>
 </context>
 <context>
@@ -774,7 +774,7 @@
     </message>
     <message>
         <source>The other plan is being made …</source>
-        <translation>Se está haciendo el otro plan …</translation>
+        <translation>Se está calculando el otro plan…</translation>
     </message>
     <message>
         <source>This plan</source>
@@ -790,15 +790,15 @@
     </message>
     <message>
         <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>En el mapa: líneas continuas solo en este plan, a trazos solo en el otro.</translation>
+        <translation>En el mapa: líneas continuas, solo en este plan; a trazos, solo en el otro.</translation>
     </message>
     <message>
         <source>Hold to see the other plan (key X)</source>
-        <translation>Mantener: el otro plan (tecla X)</translation>
+        <translation>Mantenga para ver el otro plan (tecla X)</translation>
     </message>
     <message>
         <source>What was chosen otherwise</source>
-        <translation>Lo que se eligió distinto</translation>
+        <translation>Opciones distintas</translation>
     </message>
     <message>
         <source>Machine and settings are the same.</source>
@@ -840,7 +840,7 @@
     </message>
     <message>
         <source>Pause</source>
-        <translation>Pausa</translation>
+        <translation>Pausar</translation>
     </message>
     <message>
         <source>Drive through the plan</source>
@@ -960,8 +960,8 @@
     <message numerus="yes">
         <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>%n comprobación superada: nada en los archivos en lo que tropiecen los terminales.</numerusform>
-            <numerusform>%n comprobaciones superadas: nada en los archivos en lo que tropiecen los terminales.</numerusform>
+            <numerusform>%n comprobación superada: nada en los archivos que dé problemas en los terminales.</numerusform>
+            <numerusform>%n comprobaciones superadas: nada en los archivos que dé problemas en los terminales.</numerusform>
         </translation>
     </message>
 </context>
@@ -993,7 +993,7 @@
     </message>
     <message>
         <source>Write to the stick</source>
-        <translation>Escribir en la memoria</translation>
+        <translation>Escribir en la memoria USB</translation>
     </message>
     <message>
         <source>Write files</source>
@@ -1034,7 +1034,7 @@
     </message>
     <message>
         <source>Stick</source>
-        <translation>Memoria</translation>
+        <translation>Memoria USB</translation>
     </message>
     <message>
         <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
@@ -1065,7 +1065,7 @@
     </message>
     <message>
         <source>Folder in the place of a stick</source>
-        <translation>Carpeta en lugar de una memoria</translation>
+        <translation>Carpeta en lugar de una memoria USB</translation>
     </message>
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
@@ -1166,7 +1166,7 @@
     </message>
     <message>
         <source>OK</source>
-        <translation>OK</translation>
+        <translation>Aceptar</translation>
     </message>
     <message numerus="yes">
         <source>Plan %n field(s)</source>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Planificando …</translation>
+        <translation>Planificando…</translation>
     </message>
     <message>
         <source>All are planned</source>
@@ -1227,7 +1227,7 @@
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
         <translation>
-            <numerusform>¿Es esta %n parcela?</numerusform>
+            <numerusform>¿Qué parcela (%n)?</numerusform>
             <numerusform>¿Cuál de las %n parcelas?</numerusform>
         </translation>
     </message>
@@ -1325,7 +1325,7 @@
     </message>
     <message>
         <source>missed</source>
-        <translation>sin hacer</translation>
+        <translation>sin trabajar</translation>
     </message>
     <message>
         <source>turning</source>
@@ -1516,7 +1516,7 @@
     </message>
     <message>
         <source>It is not worked, and nothing drives nearer than its buffer.</source>
-        <translation>No se trabaja, y nada se acerca más que su distancia.</translation>
+        <translation>No se trabaja, y nada se acerca a menos de esa distancia.</translation>
     </message>
     <message>
         <source>Buffer</source>
@@ -1532,7 +1532,7 @@
     </message>
     <message>
         <source>the end</source>
-        <translation>fin</translation>
+        <translation>final</translation>
     </message>
     <message>
         <source>swath %1</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>Way from %1 to %2</source>
-        <translation>Camino: %1 → %2</translation>
+        <translation>Trayecto: %1 → %2</translation>
     </message>
     <message>
         <source>%1 without working, in %2.</source>
@@ -1655,7 +1655,7 @@
     </message>
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
-        <translation>Se recorre con el número %1 de %2: %3 en %4.</translation>
+        <translation>Se hace en el puesto %1 de %2: %3 en %4.</translation>
     </message>
     <message>
         <source>From the edge</source>
@@ -1694,7 +1694,7 @@
     </message>
     <message>
         <source>Swaths along it</source>
-        <translation>Pasadas a lo largo</translation>
+        <translation>Pasadas paralelas</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>finish drawing; type into the inspector</source>
-        <translation>terminar el dibujo; escribir en el inspector</translation>
+        <translation>terminar el dibujo; escribir en el panel derecho</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -1800,7 +1800,7 @@
     </message>
     <message>
         <source>Directions</source>
-        <translation>Sentidos</translation>
+        <translation>Sentido de marcha</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -1847,7 +1847,7 @@
     </message>
     <message>
         <source>Asks openstreetmap.org for what is in view. Off, nothing leaves this computer.</source>
-        <translation>Pide a openstreetmap.org lo que está a la vista. Desactivado, nada sale de este ordenador.</translation>
+        <translation>Pide a openstreetmap.org lo que está a la vista. Si está desactivado, nada sale de este ordenador.</translation>
     </message>
 </context>
 <context>
@@ -2103,7 +2103,7 @@
     <name>Pickers</name>
     <message>
         <source>Click the place on the map. Esc ends it.</source>
-        <translation>Pulse el lugar en el mapa. Esc lo termina.</translation>
+        <translation>Haga clic en el lugar del mapa. Esc para terminar.</translation>
     </message>
 </context>
 <context>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>%1 crosses an obstacle, by %2.</source>
-        <translation>%1 cruza un obstáculo, %2.</translation>
+        <translation>%1 invade un obstáculo en %2.</translation>
     </message>
     <message>
         <source>%1 crosses an obstacle.</source>
@@ -2189,7 +2189,7 @@
     </message>
     <message>
         <source>%1 is on the stick already</source>
-        <translation>%1 ya está en la memoria</translation>
+        <translation>%1 ya está en la memoria USB</translation>
     </message>
     <message>
         <source>%1 is out of range</source>
@@ -2217,11 +2217,11 @@
     </message>
     <message>
         <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
-        <translation>%1 sale de la parcela o cruza un obstáculo, hasta %2, como permite este plan.</translation>
+        <translation>%1 sale de la parcela o invade un obstáculo, en %2 como mucho, como permite este plan.</translation>
     </message>
     <message>
         <source>%1 moves %2 off where the machine points.</source>
-        <translation>%1 avanza a %2 de donde apunta la máquina.</translation>
+        <translation>%1 se desvía %2 del rumbo de la máquina.</translation>
     </message>
     <message>
         <source>%1 needs %2</source>
@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
-        <translation>%1 devuelve otros bytes que los escritos</translation>
+        <translation>%1 no coincide al releerlo con lo que se escribió</translation>
     </message>
     <message>
         <source>%1 small patches of worked pixels are left out</source>
@@ -2249,7 +2249,7 @@
     </message>
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
-        <translation>%1 pasadas y giros salen de la parcela o cruzan un obstáculo, hasta %2, como permite este plan.</translation>
+        <translation>%1 pasadas y giros salen de la parcela o invaden un obstáculo, en %2 como mucho, como permite este plan.</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2427,7 +2427,7 @@
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
-        <translation>&apos;%1&apos;, &apos;%2&apos; no es una latitud y una longitud</translation>
+        <translation>«%1», «%2» no es una latitud y una longitud</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -2439,11 +2439,11 @@
     </message>
     <message>
         <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
-        <translation>Abombado a ambos lados; para pasadas a menos de dos radios de giro.</translation>
+        <translation>Se abre a ambos lados; para pasadas a menos de dos radios de giro.</translation>
     </message>
     <message>
         <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
-        <translation>Abombado a un lado y vuelta recta; para pasadas a menos de dos radios de giro.</translation>
+        <translation>Se abre a un lado y vuelve recto; para pasadas a menos de dos radios de giro.</translation>
     </message>
     <message>
         <source>A block gets a heading of its own where that saves time.</source>
@@ -2471,7 +2471,7 @@
     </message>
     <message>
         <source>A snake within each cluster of swaths, cluster after cluster.</source>
-        <translation>Una serpiente en cada grupo de pasadas, grupo tras grupo.</translation>
+        <translation>Una serpentina en cada grupo de pasadas, grupo tras grupo.</translation>
     </message>
     <message>
         <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
@@ -2527,7 +2527,7 @@
     </message>
     <message>
         <source>All swaths along the edge of the boundary that you pick.</source>
-        <translation>Todas las pasadas a lo largo del lado elegido del límite.</translation>
+        <translation>Todas las pasadas a lo largo del lado del límite que se elija.</translation>
     </message>
     <message>
         <source>All swaths along the longest straight edge inside the headland.</source>
@@ -2591,7 +2591,7 @@
     </message>
     <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
-        <translation>Elija el mejor giro que quepa: toma en todas partes el más rápido.</translation>
+        <translation>Elija «El mejor que cabe», que toma en todas partes el más rápido.</translation>
     </message>
     <message>
         <source>Joined where that is quicker</source>
@@ -2615,7 +2615,7 @@
     </message>
     <message>
         <source>At the start of the first swath.</source>
-        <translation>Al comienzo de la primera pasada.</translation>
+        <translation>Al inicio de la primera pasada.</translation>
     </message>
     <message>
         <source>Before the swaths</source>
@@ -2639,7 +2639,7 @@
     </message>
     <message>
         <source>Between the fixed and the steered axle.</source>
-        <translation>Entre el eje fijo y el direccional.</translation>
+        <translation>Entre el eje fijo y el eje directriz.</translation>
     </message>
     <message>
         <source>Between the headings that are tried.</source>
@@ -2663,7 +2663,7 @@
     </message>
     <message>
         <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
-        <translation>Límite y líneas de guiado para pantallas Trimble y FM; sin orden.</translation>
+        <translation>Límite y líneas de guiado para pantallas Trimble y FM; sin orden de pasadas.</translation>
     </message>
     <message>
         <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
@@ -2675,11 +2675,11 @@
     </message>
     <message>
         <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
-        <translation>Límite, huecos, obstáculos y líneas de guiado para terminales antiguos; sin cabecera ni orden.</translation>
+        <translation>Límite, huecos, obstáculos y líneas de guiado para terminales antiguos; sin cabecera ni orden de pasadas.</translation>
     </message>
     <message>
         <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
-        <translation>Límite, huecos, obstáculos, entradas, cabecera y líneas de guiado para terminales; sin orden.</translation>
+        <translation>Límite, huecos, obstáculos, entradas, cabecera y líneas de guiado para terminales; sin orden de pasadas.</translation>
     </message>
     <message>
         <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
@@ -2731,7 +2731,7 @@
     </message>
     <message>
         <source>Check that the machine stays inside the field while it turns.</source>
-        <translation>Comprobar que la máquina no sale de la parcela al girar.</translation>
+        <translation>Compruebe que la máquina no sale de la parcela al girar.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -2763,7 +2763,7 @@
     </message>
     <message>
         <source>Crop protection: headland first, ways along the headland.</source>
-        <translation>Protección del cultivo: cabecera primero, caminos por la cabecera.</translation>
+        <translation>Protección del cultivo: cabecera primero, trayectos por la cabecera.</translation>
     </message>
     <message>
         <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Drilling or planting: headland last, ways along the headland.</source>
-        <translation>Siembra o plantación: cabecera al final, caminos por la cabecera.</translation>
+        <translation>Siembra o plantación: cabecera al final, trayectos por la cabecera.</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -2867,7 +2867,7 @@
     </message>
     <message>
         <source>Fertiliser or manure: headland first, ways along the headland.</source>
-        <translation>Abono o purín: cabecera primero, caminos por la cabecera.</translation>
+        <translation>Abono o estiércol: cabecera primero, trayectos por la cabecera.</translation>
     </message>
     <message>
         <source>Fertiliser spreader, 36 m</source>
@@ -2879,7 +2879,7 @@
     </message>
     <message>
         <source>Field robot, 1.5 m weeder</source>
-        <translation>Robot de campo, escardador de 1,5 m</translation>
+        <translation>Robot agrícola, escardadora de 1,5 m</translation>
     </message>
     <message>
         <source>Finish corners</source>
@@ -2919,7 +2919,7 @@
     </message>
     <message>
         <source>From clear of the ground to working depth.</source>
-        <translation>De libre del suelo hasta la profundidad de trabajo.</translation>
+        <translation>Desde que libra el suelo hasta la profundidad de trabajo.</translation>
     </message>
     <message>
         <source>From inside out</source>
@@ -2951,7 +2951,7 @@
     </message>
     <message>
         <source>From working depth to clear of the ground.</source>
-        <translation>De la profundidad de trabajo hasta librar el suelo.</translation>
+        <translation>De la profundidad de trabajo hasta que libra el suelo.</translation>
     </message>
     <message>
         <source>Front and rear mower, 9 m</source>
@@ -2959,7 +2959,7 @@
     </message>
     <message>
         <source>Fuel at work</source>
-        <translation>Combustible trabajando</translation>
+        <translation>Combustible en trabajo</translation>
     </message>
     <message>
         <source>Fuel in turns</source>
@@ -3035,15 +3035,15 @@
     </message>
     <message>
         <source>How far the steered wheels turn to one side.</source>
-        <translation>Cuánto giran las ruedas direccionales hacia un lado.</translation>
+        <translation>Cuánto giran las ruedas directrices hacia un lado.</translation>
     </message>
     <message>
         <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
-        <translation>Con qué rapidez puede cambiar la curvatura a lo largo del recorrido; de la velocidad de dirección si no se da.</translation>
+        <translation>Con qué rapidez puede cambiar la curvatura a lo largo del recorrido; si no se indica, se calcula con la velocidad de dirección.</translation>
     </message>
     <message>
         <source>How fast the steered wheels turn.</source>
-        <translation>Con qué rapidez giran las ruedas direccionales.</translation>
+        <translation>Con qué rapidez giran las ruedas directrices.</translation>
     </message>
     <message>
         <source>How headland passes get round corners.</source>
@@ -3151,7 +3151,7 @@
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
-        <translation>Litros de combustible por hora de giros y traslados.</translation>
+        <translation>Litros de combustible por hora de giros y trayectos.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of work.</source>
@@ -3191,7 +3191,7 @@
     </message>
     <message>
         <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
-        <translation>La mayoría de terminales solo leen FAT32; esta memoria tiene %1. Formatéela como FAT32.</translation>
+        <translation>La mayoría de terminales solo leen FAT32; esta memoria USB tiene %1. Formatéela como FAT32.</translation>
     </message>
     <message>
         <source>Mounted cultivator, 6 m</source>
@@ -3219,7 +3219,7 @@
     </message>
     <message>
         <source>Nothing leads to the start of %1, %2 away.</source>
-        <translation>Nada lleva al comienzo, a %2: %1.</translation>
+        <translation>Nada lleva al inicio, a %2: %1.</translation>
     </message>
     <message>
         <source>Number of the boundary&apos;s edge, from 0 in the order of its points; for curves with all around it up to a corner of 35 degrees within a width, or a bend of 90 in all.</source>
@@ -3431,7 +3431,7 @@
     </message>
     <message>
         <source>Short name for the command line.</source>
-        <translation>Nombre corto para la línea de órdenes.</translation>
+        <translation>Nombre corto para la línea de comandos.</translation>
     </message>
     <message>
         <source>Short passes where corners would leave more than 1 % of the field.</source>
@@ -3467,7 +3467,7 @@
     </message>
     <message>
         <source>Six-row planter, 4.5 m</source>
-        <translation>Plantadora de seis hileras, 4,5 m</translation>
+        <translation>Sembradora de seis hileras, 4,5 m</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -3487,7 +3487,7 @@
     </message>
     <message>
         <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
-        <translation>El círculo más pequeño que sigue el centro del eje fijo; del ángulo de dirección si no se da.</translation>
+        <translation>El círculo más pequeño que puede seguir el centro del eje fijo; si no se indica, se calcula con el ángulo de dirección.</translation>
     </message>
     <message>
         <source>Smallest turning radius</source>
@@ -3511,7 +3511,7 @@
     </message>
     <message>
         <source>Speed on longer ways with the implement lifted.</source>
-        <translation>Velocidad en caminos largos con el apero levantado.</translation>
+        <translation>Velocidad en trayectos largos con el apero levantado.</translation>
     </message>
     <message>
         <source>Speed with the implement at work.</source>
@@ -3539,7 +3539,7 @@
     </message>
     <message>
         <source>Start</source>
-        <translation>Comienzo</translation>
+        <translation>Inicio</translation>
     </message>
     <message>
         <source>Start at</source>
@@ -3567,15 +3567,15 @@
     </message>
     <message>
         <source>Straight way needed before the implement is lowered.</source>
-        <translation>Camino recto necesario antes de bajar el apero.</translation>
+        <translation>Tramo recto necesario antes de bajar el apero.</translation>
     </message>
     <message>
         <source>Swath after swath over all of the field, whatever cuts them.</source>
-        <translation>Pasada tras pasada por todo el interior, corte lo que corte.</translation>
+        <translation>Pasada tras pasada por todo el interior, sin mirar lo que las corta.</translation>
     </message>
     <message>
         <source>Swath numbers in driving order; a minus drives one the other way.</source>
-        <translation>Números de pasada en orden; un menos hace una al revés.</translation>
+        <translation>Números de pasada en orden; con un menos se hace al revés.</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -3619,7 +3619,7 @@
     </message>
     <message>
         <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
-        <translation>Solo el límite como shapefile comprimido plano, como lo aceptan los centros de operaciones.</translation>
+        <translation>Solo el límite como shapefile comprimido sin carpetas, como lo aceptan los centros de operaciones.</translation>
     </message>
     <message>
         <source>The chosen one cannot be driven between these swaths.</source>
@@ -3631,7 +3631,7 @@
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
-        <translation>La parcela es demasiado estrecha para %1 de cabecera; tiene %2 con %3</translation>
+        <translation>La parcela es demasiado estrecha para %1 de cabecera; quedan %2, con %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
@@ -3671,7 +3671,7 @@
     </message>
     <message>
         <source>The largest covered share inside the headland.</source>
-        <translation>La mayor parte trabajada del interior.</translation>
+        <translation>La mayor superficie trabajada del interior.</translation>
     </message>
     <message>
         <source>The least metres driven in swaths, with what is missed added as metres.</source>
@@ -3807,7 +3807,7 @@
     </message>
     <message>
         <source>The way from %1 to %2</source>
-        <translation>El camino %1 → %2</translation>
+        <translation>El trayecto %1 → %2</translation>
     </message>
     <message>
         <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
@@ -3823,7 +3823,7 @@
     </message>
     <message>
         <source>This stick has %1 partitions; terminals see the first one only, if any.</source>
-        <translation>Esta memoria tiene %1 particiones; los terminales ven la primera, si acaso.</translation>
+        <translation>Esta memoria USB tiene %1 particiones; los terminales ven la primera, si acaso.</translation>
     </message>
     <message>
         <source>Three Ponds</source>
@@ -3843,7 +3843,7 @@
     </message>
     <message>
         <source>Time and way do not fit the speed in %1.</source>
-        <translation>El tiempo y el camino no cuadran con la velocidad en %1.</translation>
+        <translation>El tiempo y la distancia no cuadran con la velocidad en %1.</translation>
     </message>
     <message>
         <source>Time to lift</source>
@@ -3867,7 +3867,7 @@
     </message>
     <message>
         <source>Transfer speed</source>
-        <translation>Velocidad de traslado</translation>
+        <translation>Velocidad en trayectos</translation>
     </message>
     <message>
         <source>Transport width</source>
@@ -3919,19 +3919,19 @@
     </message>
     <message>
         <source>Ways</source>
-        <translation>Caminos</translation>
+        <translation>Trayectos</translation>
     </message>
     <message>
         <source>Ways keep to the field&apos;s edge.</source>
-        <translation>Los caminos siguen el borde de la parcela.</translation>
+        <translation>Los trayectos siguen el borde de la parcela.</translation>
     </message>
     <message>
         <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
-        <translation>Los caminos siguen la cabecera; no se pisan el cultivo ni la cama de siembra.</translation>
+        <translation>Los trayectos siguen la cabecera; no se pisan el cultivo ni el lecho de siembra.</translation>
     </message>
     <message>
         <source>Ways may cross worked land.</source>
-        <translation>Los caminos pueden cruzar el interior.</translation>
+        <translation>Los trayectos pueden cruzar el interior.</translation>
     </message>
     <message>
         <source>Well-known text</source>
@@ -3943,7 +3943,7 @@
     </message>
     <message>
         <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
-        <translation>Lo que todo guarda hasta el límite; auto es la precisión del límite.</translation>
+        <translation>Distancia al límite en la que nada entra; auto es la precisión del límite.</translation>
     </message>
     <message>
         <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
@@ -3959,7 +3959,7 @@
     </message>
     <message>
         <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
-        <translation>Para qué se entra: fija cuándo se trabaja la cabecera, los caminos y el solape.</translation>
+        <translation>La labor que se hace: fija cuándo se trabaja la cabecera, los trayectos y el solape.</translation>
     </message>
     <message>
         <source>What the machine is called.</source>
@@ -3967,7 +3967,7 @@
     </message>
     <message>
         <source>What the search for the best heading looks for.</source>
-        <translation>Qué busca la búsqueda de la mejor dirección.</translation>
+        <translation>Qué persigue la búsqueda de la mejor dirección.</translation>
     </message>
     <message>
         <source>Wheelbase</source>
@@ -4019,11 +4019,11 @@
     </message>
     <message>
         <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
-        <translation>Ancho plegado para la carretera, por las entradas y en los recorridos de entrada y salida; si no se indica, el ancho levantado.</translation>
+        <translation>Ancho plegado para la carretera, por las entradas y en los trayectos de entrada y salida; si no se indica, el ancho levantado.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
-        <translation>Ancho levantado o plegado para un giro; el ancho de trabajo si no se da.</translation>
+        <translation>Ancho levantado o plegado para un giro; si no se indica, el ancho de trabajo.</translation>
     </message>
     <message>
         <source>Width worked in one pass.</source>
@@ -4243,7 +4243,7 @@
     </message>
     <message>
         <source>decimal commas in the place of the field were taken for points</source>
-        <translation>las comas decimales en el lugar de la parcela se tomaron por puntos</translation>
+        <translation>las comas decimales en la posición de la parcela se tomaron por puntos</translation>
     </message>
     <message>
         <source>delete some of them</source>
@@ -4339,7 +4339,7 @@
     </message>
     <message>
         <source>free some space on the stick</source>
-        <translation>libere espacio en la memoria</translation>
+        <translation>libere espacio en la memoria USB</translation>
     </message>
     <message>
         <source>free some space or choose another folder</source>
@@ -4463,7 +4463,7 @@
     </message>
     <message>
         <source>give it a kind, or remove it from the file</source>
-        <translation>dele una clase, o quítelo del archivo</translation>
+        <translation>indique su clase, o quítelo del archivo</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, %1</source>
@@ -4603,7 +4603,7 @@
     </message>
     <message>
         <source>it is a line at %1, %2 without a width</source>
-        <translation>es una línea en %1, %2 sin anchura</translation>
+        <translation>es una línea en %1, %2 sin ancho</translation>
     </message>
     <message>
         <source>it is a point at %1, %2 without a size</source>
@@ -4663,7 +4663,7 @@
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; is not known</source>
-        <translation>su sistema de coordenadas &apos;%1&apos; no se conoce</translation>
+        <translation>su sistema de coordenadas «%1» no se conoce</translation>
     </message>
     <message>
         <source>its coordinate system cannot be turned into WGS84</source>
@@ -4671,7 +4671,7 @@
     </message>
     <message>
         <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
-        <translation>su sistema de coordenadas tendría que descargarse de &apos;%1&apos;</translation>
+        <translation>su sistema de coordenadas tendría que descargarse de «%1»</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4687,7 +4687,7 @@
     </message>
     <message>
         <source>its kind &apos;%1&apos; is not known</source>
-        <translation>su clase &apos;%1&apos; no se conoce</translation>
+        <translation>su clase «%1» no se conoce</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4707,7 +4707,7 @@
     </message>
     <message>
         <source>leave it out, or give a project of the window</source>
-        <translation>omítalo, o dé un proyecto de la ventana</translation>
+        <translation>omítalo, o indique un proyecto de la ventana</translation>
     </message>
     <message>
         <source>leaves the field by %1</source>
@@ -4755,11 +4755,11 @@
     </message>
     <message>
         <source>name each swath once</source>
-        <translation>nombre cada pasada una vez</translation>
+        <translation>indique cada pasada una vez</translation>
     </message>
     <message>
         <source>name each swath once, with a minus where it is driven backwards</source>
-        <translation>nombre cada pasada una vez, con un menos donde se hace al revés</translation>
+        <translation>indique cada pasada una vez, con un menos donde se hace al revés</translation>
     </message>
     <message>
         <source>name one, such as GeoJSON with a LineString for each row</source>
@@ -4767,7 +4767,7 @@
     </message>
     <message>
         <source>name the columns in the first row</source>
-        <translation>nombre las columnas en la primera fila</translation>
+        <translation>ponga nombre a las columnas en la primera fila</translation>
     </message>
     <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
@@ -4927,7 +4927,7 @@
     </message>
     <message>
         <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation>varios planes de &apos;%1&apos; se llaman &apos;%2&apos;</translation>
+        <translation>varios planes de «%1» se llaman «%2»</translation>
     </message>
     <message>
         <source>simplify it to at most a million</source>
@@ -4959,7 +4959,7 @@
     </message>
     <message>
         <source>take off the write protection of the stick</source>
-        <translation>quite la protección contra escritura de la memoria</translation>
+        <translation>quite la protección contra escritura de la memoria USB</translation>
     </message>
     <message>
         <source>the .shx file that belongs to it is missing</source>
@@ -5011,7 +5011,7 @@
     </message>
     <message>
         <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
-        <translation>la parcela &apos;%1&apos; no tiene un plan &apos;%2&apos;</translation>
+        <translation>la parcela «%1» no tiene un plan «%2»</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -5099,7 +5099,7 @@
     </message>
     <message>
         <source>the line after StartFix is no place</source>
-        <translation>la línea tras StartFix no es un lugar</translation>
+        <translation>la línea tras StartFix no es una posición</translation>
     </message>
     <message>
         <source>the line crosses itself at %1, %2</source>
@@ -5183,23 +5183,23 @@
     </message>
     <message>
         <source>the start</source>
-        <translation>comienzo</translation>
+        <translation>inicio</translation>
     </message>
     <message>
         <source>the stick does not answer any more (%1)</source>
-        <translation>la memoria ya no responde (%1)</translation>
+        <translation>la memoria USB ya no responde (%1)</translation>
     </message>
     <message>
         <source>the stick has %1 MB free, and %2 MB are needed</source>
-        <translation>la memoria tiene %1 MB libres y hacen falta %2 MB</translation>
+        <translation>la memoria USB tiene %1 MB libres y hacen falta %2 MB</translation>
     </message>
     <message>
         <source>the stick is damaged: use another one</source>
-        <translation>la memoria está dañada: use otra</translation>
+        <translation>la memoria USB está dañada: use otra</translation>
     </message>
     <message>
         <source>the stick is write-protected</source>
-        <translation>la memoria está protegida contra escritura</translation>
+        <translation>la memoria USB está protegida contra escritura</translation>
     </message>
     <message>
         <source>the swaths are left out: %1</source>
@@ -5211,11 +5211,11 @@
     </message>
     <message>
         <source>the transfer after %1</source>
-        <translation>el traslado tras %1</translation>
+        <translation>el trayecto tras %1</translation>
     </message>
     <message>
         <source>the transfer at %1</source>
-        <translation>el traslado en %1</translation>
+        <translation>el trayecto en %1</translation>
     </message>
     <message>
         <source>the turn after %1</source>
@@ -5227,7 +5227,7 @@
     </message>
     <message>
         <source>the way to refill</source>
-        <translation>el camino de recarga</translation>
+        <translation>el trayecto para recargar</translation>
     </message>
     <message>
         <source>the zip cannot be made: %1</source>
@@ -5263,7 +5263,7 @@
     </message>
     <message>
         <source>there is no field &apos;%1&apos; in the project</source>
-        <translation>no hay ninguna parcela &apos;%1&apos; en el proyecto</translation>
+        <translation>no hay ninguna parcela «%1» en el proyecto</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>
@@ -5387,7 +5387,7 @@
     </message>
     <message>
         <source>try another stick</source>
-        <translation>pruebe otra memoria</translation>
+        <translation>pruebe otra memoria USB</translation>
     </message>
     <message>
         <source>two points</source>
@@ -5419,7 +5419,7 @@
     </message>
     <message>
         <source>what is on the stick is not the plan: %1</source>
-        <translation>lo que hay en la memoria no es el plan: %1</translation>
+        <translation>lo que hay en la memoria USB no es el plan: %1</translation>
     </message>
     <message>
         <source>whole numbers divided by commas</source>
@@ -5475,11 +5475,11 @@
     </message>
     <message>
         <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
-        <translation>dé un GeoTIFF, MBTiles o una carpeta de teselas</translation>
+        <translation>indique un GeoTIFF, MBTiles o una carpeta de teselas</translation>
     </message>
     <message>
         <source>give a GeoTIFF, or export it again with its coordinate system</source>
-        <translation>dé un GeoTIFF o expórtela de nuevo con su sistema de coordenadas</translation>
+        <translation>indique un GeoTIFF o expórtela de nuevo con su sistema de coordenadas</translation>
     </message>
     <message>
         <source>it is damaged, or no picture that Furrow can show</source>
@@ -5503,7 +5503,7 @@
     </message>
     <message>
         <source>make them again with the profile mercator, or give the raster itself</source>
-        <translation>créelas de nuevo con el perfil mercator o dé el ráster mismo</translation>
+        <translation>créelas de nuevo con el perfil mercator o indique el ráster mismo</translation>
     </message>
     <message>
         <source>open it again</source>
@@ -5551,7 +5551,7 @@
     </message>
     <message>
         <source>Receivers may refuse %1: %2.</source>
-        <translation>Es posible que los receptores rechacen %1: %2.</translation>
+        <translation>Es posible que los terminales rechacen %1: %2.</translation>
     </message>
     <message>
         <source>some systems do not allow a file of this name</source>
@@ -5647,7 +5647,7 @@
     </message>
     <message>
         <source>place %1 of the path is not where the plan goes next</source>
-        <translation>el lugar %1 del recorrido no está donde sigue el plan</translation>
+        <translation>el punto %1 del recorrido no está donde sigue el plan</translation>
     </message>
     <message>
         <source>the path does not begin and end as the plan does</source>
@@ -5659,7 +5659,7 @@
     </message>
     <message>
         <source>the time of place %1 of the path is before that of the place before</source>
-        <translation>la hora del lugar %1 del recorrido es anterior a la del lugar previo</translation>
+        <translation>la hora del punto %1 del recorrido es anterior a la del punto previo</translation>
     </message>
     <message>
         <source>the times of the path stand still</source>
@@ -5667,11 +5667,11 @@
     </message>
     <message>
         <source>the heading at place %1 of the path does not point along it</source>
-        <translation>el rumbo en el lugar %1 del recorrido no apunta a lo largo de él</translation>
+        <translation>el rumbo en el punto %1 del recorrido no apunta a lo largo de él</translation>
     </message>
     <message>
         <source>the speed at place %1 of the path is negative</source>
-        <translation>la velocidad en el lugar %1 del recorrido es negativa</translation>
+        <translation>la velocidad en el punto %1 del recorrido es negativa</translation>
     </message>
     <message>
         <source>its largest speed is %1, not %2</source>
@@ -5679,7 +5679,7 @@
     </message>
     <message>
         <source>line %1 is not as this format has it</source>
-        <translation>la línea %1 no es como la quiere este formato</translation>
+        <translation>la línea %1 no es conforme a este formato</translation>
     </message>
     <message>
         <source>this is no %1</source>
@@ -5727,15 +5727,15 @@
     </message>
     <message>
         <source>its shapes have heights or measures, which displays do not read</source>
-        <translation>sus formas tienen alturas o medidas, que las pantallas no leen</translation>
+        <translation>sus formas tienen alturas o medidas, que los terminales no leen</translation>
     </message>
     <message>
         <source>this is the recording of a drive (%1), and no boundary</source>
-        <translation>esto es el registro de un recorrido (%1), no un límite</translation>
+        <translation>esto es la grabación de un recorrido (%1), no un límite</translation>
     </message>
     <message>
         <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
-        <translation>indique el límite de la parcela; furrow-cli compare superpone un registro a un plan</translation>
+        <translation>indique el límite de la parcela; furrow-cli compare superpone una grabación a un plan</translation>
     </message>
     <message>
         <source>Raster mask</source>
@@ -5794,7 +5794,7 @@
     </message>
     <message>
         <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
-        <translation>Las pasadas más cortas se omiten; automático es la longitud del apero.</translation>
+        <translation>Las pasadas más cortas se omiten; auto es la longitud del apero.</translation>
     </message>
     <message>
         <source>Prefer edges within (%)</source>
@@ -5802,7 +5802,7 @@
     </message>
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
-        <translation>Las pasadas siguen el lado más largo de la parcela, u otro largo, donde no cuesta más que esto por encima de la mejor dirección; 0 toma la mejor, sea cual sea.</translation>
+        <translation>Las pasadas siguen el lado más largo de la parcela, u otro lado largo, mientras no cueste más que esto por encima de la mejor dirección; 0 toma la mejor, sea cual sea.</translation>
     </message>
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
@@ -5837,7 +5837,7 @@
     </message>
     <message>
         <source>Swaths along the longest edge</source>
-        <translation>Las pasadas a lo largo del borde más largo</translation>
+        <translation>Las pasadas a lo largo del lado más largo</translation>
     </message>
     <message>
         <source>Swaths at a bearing of %1</source>
@@ -5845,11 +5845,11 @@
     </message>
     <message>
         <source>Take a machine that can.</source>
-        <translation>Tome una máquina que pueda.</translation>
+        <translation>Elija una máquina que pueda.</translation>
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine.</source>
-        <translation>La parcela es demasiado estrecha para girar con esta máquina: tome una más pequeña.</translation>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: elija una más pequeña.</translation>
     </message>
     <message>
         <source>The quickest</source>
@@ -5857,7 +5857,7 @@
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
-        <translation>dé uno de los dos, o un ancho en el que quepan justo estas vueltas</translation>
+        <translation>indique uno de los dos, o un ancho en el que quepan justo estas pasadas</translation>
     </message>
     <message>
         <source>headland.width_m and headland.passes do not agree</source>
@@ -5877,11 +5877,11 @@
     </message>
     <message>
         <source>%1 are planned instead of the heading with the best estimate: %2</source>
-        <translation>%1 están planificadas en lugar de la dirección con la mejor estimación: %2</translation>
+        <translation>%1 se planifican en lugar de la dirección con la mejor estimación: %2</translation>
     </message>
     <message>
         <source>it has fewer problems</source>
-        <translation>hay menos que lo impida</translation>
+        <translation>hay menos problemas</translation>
     </message>
     <message>
         <source>it is %1 s quicker</source>
@@ -5905,15 +5905,15 @@
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
-        <translation>La parcela es demasiado estrecha para girar con esta máquina: tome una más pequeña, o trace las pasadas a lo largo de la parcela (%1).</translation>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: elija una más pequeña, o trace las pasadas a lo largo de la parcela (%1).</translation>
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
-        <translation>La parcela es demasiado estrecha para girar con esta máquina: tome una más pequeña o un margen menor (%1).</translation>
+        <translation>La parcela es demasiado estrecha para girar con esta máquina: elija una más pequeña o un margen menor (%1).</translation>
     </message>
     <message>
         <source>No passes are driven in the headland (%1).</source>
-        <translation>No se dan vueltas en la cabecera (%1).</translation>
+        <translation>No se hacen pasadas en la cabecera (%1).</translation>
     </message>
     <message>
         <source>The chosen swaths (%1) do not reach it.</source>
@@ -5925,7 +5925,7 @@
     </message>
     <message>
         <source>Land that is left is not finished, because that is switched off (%1).</source>
-        <translation>No se repasa lo que queda (%1).</translation>
+        <translation>No se repasa lo que queda, porque está desactivado (%1).</translation>
     </message>
     <message>
         <source>choose a smaller machine or a smaller margin (%1)</source>
@@ -5957,7 +5957,7 @@
     </message>
     <message>
         <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
-        <translation>Se planifica una cabecera de %1 en lugar de una bastante ancha para girar: %2</translation>
+        <translation>Se planifica una cabecera de %1 en lugar de una lo bastante ancha para girar: %2</translation>
     </message>
     <message>
         <source>Drive more slowly there, or plan again.</source>
@@ -5969,7 +5969,7 @@
     </message>
     <message>
         <source>The implement is folded on the way from %1 to %2.</source>
-        <translation>El apero va plegado en este camino: %1 → %2.</translation>
+        <translation>El apero va plegado en este trayecto: %1 → %2.</translation>
     </message>
     <message>
         <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
@@ -6025,7 +6025,7 @@
     </message>
     <message>
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
-        <translation>Números de pasadas que se siguen en este orden; un menos recorre una en sentido contrario. El orden de las demás se busca.</translation>
+        <translation>Números de pasadas que se siguen en este orden; con un menos se hace al revés. El orden de las demás se busca.</translation>
     </message>
     <message>
         <source>Ends of swaths</source>
@@ -6061,7 +6061,7 @@
     </message>
     <message>
         <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
-        <translation>Máximo de franjas que quedan entre pasadas hechas para más tarde. Con 0 la máquina nunca vuelve a un hueco, de modo que otra puede seguirla; «auto» no pone límite.</translation>
+        <translation>Máximo de franjas que se dejan para más tarde entre pasadas hechas. Con 0 la máquina nunca vuelve a un hueco, de modo que otra puede seguirla; «auto» no pone límite.</translation>
     </message>
     <message>
         <source>Open strips</source>
@@ -6069,11 +6069,11 @@
     </message>
     <message>
         <source>The number of the swath that is driven first; auto takes any.</source>
-        <translation>El número de la pasada que se hace primero; «auto» toma cualquiera.</translation>
+        <translation>El número de la pasada que se hace primero; con «auto», cualquiera.</translation>
     </message>
     <message>
         <source>The number of the swath that is driven last; auto takes any.</source>
-        <translation>El número de la pasada que se hace al final; «auto» toma cualquiera.</translation>
+        <translation>El número de la pasada que se hace al final; con «auto», cualquiera.</translation>
     </message>
     <message>
         <source>allow more open strips, or lock fewer swaths</source>
@@ -6081,7 +6081,7 @@
     </message>
     <message>
         <source>name another swath for the end</source>
-        <translation>nombre otra pasada para el final</translation>
+        <translation>indique otra pasada para el final</translation>
     </message>
     <message>
         <source>no order was found that keeps to all that is said of the order of swaths</source>
@@ -6097,7 +6097,7 @@
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
-        <translation>%1 cuesta %2 más que el borde más largo (%3)</translation>
+        <translation>%1 cuesta %2 más que el lado más largo (%3)</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
@@ -6105,7 +6105,7 @@
     </message>
     <message>
         <source>%1 is as quick as the longest edge (%2)</source>
-        <translation>%1 es tan rápido como el borde más largo (%2)</translation>
+        <translation>%1 es tan rápido como el lado más largo (%2)</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -6121,11 +6121,11 @@
     </message>
     <message>
         <source>%1 runs along the longest edge</source>
-        <translation>%1 va a lo largo del borde más largo</translation>
+        <translation>%1 va a lo largo del lado más largo</translation>
     </message>
     <message>
         <source>%1 saves %2 against the longest edge (%3)</source>
-        <translation>%1 ahorra %2 frente al borde más largo (%3)</translation>
+        <translation>%1 ahorra %2 frente al lado más largo (%3)</translation>
     </message>
     <message>
         <source>%1 × %2, %3 each</source>
@@ -6178,11 +6178,11 @@
     </message>
     <message>
         <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
-        <translation>Cortado en %1 partes donde se interrumpen las pasadas; unirlas en %2 ahorra %3 de giros y recorridos.</translation>
+        <translation>Cortado en %1 partes donde se interrumpen las pasadas; unirlas en %2 ahorra %3 de giros y trayectos.</translation>
     </message>
     <message>
         <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
-        <translation>Los bordes paralelos a las pasadas reciben %1; los bordes donde terminan, hasta %2: un giro de esta máquina necesita %3.</translation>
+        <translation>Los lados paralelos a las pasadas reciben %1; los lados donde terminan, hasta %2: un giro de esta máquina necesita %3.</translation>
     </message>
     <message>
         <source>Everything keeps %1 from the boundary, as chosen.</source>
@@ -6201,7 +6201,7 @@
     </message>
     <message>
         <source>No heading that was tried covers more: %1 inside the headland.</source>
-        <translation>Ninguna dirección probada cubre más: %1 dentro de la cabecera.</translation>
+        <translation>Ninguna dirección probada trabaja más superficie: %1 dentro de la cabecera.</translation>
     </message>
     <message numerus="yes">
         <source>No heading that was tried has fewer than %n swaths.</source>
@@ -6228,7 +6228,7 @@
     </message>
     <message>
         <source>Nothing divides the swaths: one block.</source>
-        <translation>Nada divide las pasadas: una subparcela.</translation>
+        <translation>Nada divide las pasadas: una sola subparcela.</translation>
     </message>
     <message>
         <source>Nothing stands outside of the field</source>
@@ -6236,7 +6236,7 @@
     </message>
     <message>
         <source>One pass all round works the whole field.</source>
-        <translation>Una vuelta trabaja toda la parcela.</translation>
+        <translation>Una sola pasada alrededor trabaja toda la parcela.</translation>
     </message>
     <message numerus="yes">
         <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
@@ -6247,7 +6247,7 @@
     </message>
     <message>
         <source>The longest way without work, %1, follows %2.</source>
-        <translation>El recorrido más largo sin trabajar, %1, sigue a %2.</translation>
+        <translation>El trayecto más largo sin trabajar, %1, sigue a %2.</translation>
     </message>
     <message>
         <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
@@ -6287,7 +6287,7 @@
     </message>
     <message>
         <source>give a number that is not negative, or leave it out</source>
-        <translation>dé un número que no sea negativo o déjelo fuera</translation>
+        <translation>indique un número que no sea negativo o no lo ponga</translation>
     </message>
     <message>
         <source>it is draft, issued, in_progress or done</source>
@@ -6319,7 +6319,7 @@
     </message>
     <message>
         <source>there is no way to drive</source>
-        <translation>no hay recorrido</translation>
+        <translation>no hay ningún camino posible</translation>
     </message>
     <message>
         <source>turn on the spot</source>
@@ -6331,7 +6331,7 @@
     </message>
     <message>
         <source>way straight on</source>
-        <translation>tramo recto</translation>
+        <translation>trayecto recto</translation>
     </message>
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
@@ -6430,7 +6430,7 @@
     </message>
     <message>
         <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
-        <translation>Los campos admiten ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Los archivos siempre van en metros.</translation>
+        <translation>Las casillas admiten ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Los archivos siempre van en metros.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6625,7 +6625,7 @@
     </message>
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
-        <translation>No se encontró nada en este plan: todo se puede recorrer.</translation>
+        <translation>No se encontró nada en este plan: se puede recorrer entero.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6744,7 +6744,7 @@
     <name>SearchButton</name>
     <message>
         <source>Search commands</source>
-        <translation>Buscar órdenes</translation>
+        <translation>Buscar comandos</translation>
     </message>
     <message>
         <source>Ctrl K</source>
@@ -6814,7 +6814,7 @@
     </message>
     <message>
         <source>Press and trace it with the pointer, to %1</source>
-        <translation>Pulse y recórralo con el puntero, con %1 de precisión</translation>
+        <translation>Pulse y trace con el puntero, con %1 de precisión</translation>
     </message>
 </context>
 <context>
@@ -6854,7 +6854,7 @@
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
-        <translation>Colores para pleno sol; pulse para claros</translation>
+        <translation>Colores para pleno sol; pulse para los claros</translation>
     </message>
     <message>
         <source>Dark colours; press for sunlight</source>
@@ -6862,7 +6862,7 @@
     </message>
     <message>
         <source>Light colours; press for dark</source>
-        <translation>Colores claros; pulse para oscuros</translation>
+        <translation>Colores claros; pulse para los oscuros</translation>
     </message>
 </context>
 <context>
@@ -6908,7 +6908,7 @@
     <name>Tour</name>
     <message>
         <source>Get a field</source>
-        <translation>Consiga una parcela</translation>
+        <translation>Cargue una parcela</translation>
     </message>
     <message>
         <source>Open its boundary, draw it, or press here for a sample.</source>
@@ -6936,7 +6936,7 @@
     </message>
     <message>
         <source>Export writes the plan to a stick or a folder and checks it.</source>
-        <translation>La exportación escribe el plan en una memoria o carpeta y lo comprueba.</translation>
+        <translation>La exportación escribe el plan en una memoria USB o carpeta y lo comprueba.</translation>
     </message>
     <message>
         <source>That is all</source>
@@ -7104,7 +7104,7 @@
     </message>
     <message>
         <source>OK</source>
-        <translation>OK</translation>
+        <translation>Aceptar</translation>
     </message>
 </context>
 <context>
@@ -7142,13 +7142,13 @@
     <message>
         <source>Done</source>
         <comment>work order</comment>
-        <translation>Listo</translation>
+        <translation>Terminada</translation>
     </message>
     <message numerus="yes">
         <source>Not drivable: %n problem(s)</source>
         <translation>
-            <numerusform>No transitable: %n problema</numerusform>
-            <numerusform>No transitable: %n problemas</numerusform>
+            <numerusform>No realizable: %n problema</numerusform>
+            <numerusform>No realizable: %n problemas</numerusform>
         </translation>
     </message>
     <message>
@@ -7173,7 +7173,7 @@
     </message>
     <message>
         <source>Field address</source>
-        <translation>Dirección de la parcela</translation>
+        <translation>Ubicación de la parcela</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -7222,7 +7222,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Cubierto</translation>
+        <translation>Trabajado</translation>
     </message>
     <message>
         <source>Worked twice</source>
@@ -7242,7 +7242,7 @@
     </message>
     <message>
         <source>Above the best order</source>
-        <translation>Sobre el mejor orden</translation>
+        <translation>Por encima del mejor orden</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -7497,7 +7497,7 @@
     </message>
     <message>
         <source>Not drivable</source>
-        <translation>No transitable</translation>
+        <translation>No realizable</translation>
     </message>
     <message>
         <source>Total</source>
@@ -7569,7 +7569,7 @@
     </message>
     <message>
         <source>mends the plan</source>
-        <translation>lo hace transitable</translation>
+        <translation>lo hace realizable</translation>
     </message>
     <message>
         <source>the same time</source>
@@ -7596,7 +7596,7 @@
     </message>
     <message>
         <source>implement down</source>
-        <translation>apero abajo</translation>
+        <translation>apero bajado</translation>
     </message>
     <message>
         <source>implement folded</source>
@@ -7604,7 +7604,7 @@
     </message>
     <message>
         <source>implement up</source>
-        <translation>apero arriba</translation>
+        <translation>apero levantado</translation>
     </message>
     <message>
         <source>%1 done</source>
@@ -7616,11 +7616,11 @@
     </message>
     <message>
         <source>%1° left</source>
-        <translation>%1° izquierda</translation>
+        <translation>%1° a la izquierda</translation>
     </message>
     <message>
         <source>%1° right</source>
-        <translation>%1° derecha</translation>
+        <translation>%1° a la derecha</translation>
     </message>
     <message>
         <source>tank %1</source>
@@ -7671,7 +7671,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Cubierto</translation>
+        <translation>Trabajado</translation>
     </message>
     <message>
         <source>As if the implement ran in the middle of the recorded line</source>
@@ -7741,7 +7741,7 @@
     </message>
     <message>
         <source>The plan is out of date: the field, the machine or a setting was changed after it was made.</source>
-        <translation>El plan está desactualizado: la parcela, la máquina o un ajuste cambió después.</translation>
+        <translation>El plan está desactualizado: la parcela, la máquina o un ajuste cambió después de hacerlo.</translation>
     </message>
     <message>
         <source>There is no plan to export. The message on the map says why.</source>
@@ -7774,11 +7774,11 @@
     </message>
     <message>
         <source>Waits</source>
-        <translation>Espera</translation>
+        <translation>En espera</translation>
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Planificando …</translation>
+        <translation>Planificando…</translation>
     </message>
     <message>
         <source>Drivable</source>
@@ -7811,7 +7811,7 @@
     </message>
     <message>
         <source>%1 drivable</source>
-        <translation>%1 transitables</translation>
+        <translation>%1 realizables</translation>
     </message>
 </context>
 <context>
@@ -7849,7 +7849,7 @@
     </message>
     <message>
         <source>Stopped</source>
-        <translation>Parado</translation>
+        <translation>Detenido</translation>
     </message>
     <message numerus="yes">
         <source>%n field(s) planned</source>
@@ -8157,7 +8157,7 @@
     </message>
     <message>
         <source>%1 turning</source>
-        <translation>%1 girando</translation>
+        <translation>%1 en giros</translation>
     </message>
     <message>
         <source>%1 twice</source>
@@ -8165,7 +8165,7 @@
     </message>
     <message>
         <source>%1 missed</source>
-        <translation>%1 sin hacer</translation>
+        <translation>%1 sin trabajar</translation>
     </message>
     <message>
         <source>Swaths along %1</source>
@@ -8238,7 +8238,7 @@
     <name>furrow::OrderModel</name>
     <message>
         <source>Order number</source>
-        <translation>Número de orden</translation>
+        <translation>N.º de la orden</translation>
     </message>
     <message>
         <source>Customer</source>
@@ -8246,7 +8246,7 @@
     </message>
     <message>
         <source>Field address</source>
-        <translation>Dirección de la parcela</translation>
+        <translation>Ubicación de la parcela</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -8254,7 +8254,7 @@
     </message>
     <message>
         <source>Time</source>
-        <translation>Tiempo</translation>
+        <translation>Horario</translation>
     </message>
     <message>
         <source>Product</source>
@@ -8316,7 +8316,7 @@
     </message>
     <message>
         <source>covered %1</source>
-        <translation>cubierto %1</translation>
+        <translation>trabajado %1</translation>
     </message>
     <message>
         <source>worked twice %1</source>
@@ -8355,7 +8355,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Cubierto</translation>
+        <translation>Trabajado</translation>
     </message>
     <message>
         <source>Missed</source>
@@ -8612,7 +8612,7 @@
     </message>
     <message>
         <source>Type something from %1 to %2.</source>
-        <translation>Escriba algo de %1 a %2.</translation>
+        <translation>Escriba un valor de %1 a %2.</translation>
     </message>
     <message>
         <source>%1 mi</source>
@@ -8921,7 +8921,7 @@
     </message>
     <message>
         <source>Safe to unplug: %1</source>
-        <translation>Ya puede retirar la memoria: %1</translation>
+        <translation>Ya puede retirar la memoria USB: %1</translation>
     </message>
     <message>
         <source>What was there before is kept as %1.</source>

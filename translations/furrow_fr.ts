@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Furrow plans how a machine covers a farm field.</source>
-        <translation>Furrow planifie comment une machine parcourt une parcelle.</translation>
+        <translation>Furrow planifie comment une machine travaille une parcelle.</translation>
     </message>
     <message>
         <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
-        <translation>Les méthodes suivent l’article Fields2Cover (Mier, Valente et de Bruin, 2023) et les sources que cite la conception.</translation>
+        <translation>Les méthodes suivent l&apos;article Fields2Cover (Mier, Valente et de Bruin, 2023) et les sources citées dans le document de conception.</translation>
     </message>
     <message>
         <source>Built with %1.</source>
@@ -304,7 +304,7 @@
     </message>
     <message>
         <source>Add imagery…</source>
-        <translation>Ajouter une imagerie…</translation>
+        <translation>Ajouter des images…</translation>
     </message>
     <message>
         <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>Layer: driven over often</source>
-        <translation>Couche : roulé souvent</translation>
+        <translation>Couche : passages de roues</translation>
     </message>
     <message>
         <source>wheel passes traffic compaction</source>
@@ -508,7 +508,7 @@
     </message>
     <message>
         <source>All fields of the farm</source>
-        <translation>Toutes les parcelles de l’exploitation</translation>
+        <translation>Toutes les parcelles de l&apos;exploitation</translation>
     </message>
     <message>
         <source>list overview plan all batch totals</source>
@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>Size of everything</source>
-        <translation>Taille de l’affichage</translation>
+        <translation>Taille de l&apos;affichage</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
-        <translation>D’autres choix sont planifiés, et le plan praticable le plus rapide est pris. Les marges, le recouvrement et ce que demande le travail restent tels quels.</translation>
+        <translation>D&apos;autres choix sont planifiés, et le plan réalisable le plus rapide est retenu. Les marges, le recouvrement et ce que demande le travail restent tels quels.</translation>
     </message>
     <message>
         <source>May change</source>
@@ -599,7 +599,7 @@
     </message>
     <message>
         <source>%1 (set by you)</source>
-        <translation>%1 (par vous)</translation>
+        <translation>%1 (votre choix)</translation>
     </message>
     <message>
         <source>Best plan</source>
@@ -607,7 +607,7 @@
     </message>
     <message>
         <source>Best so far</source>
-        <translation>Meilleur jusqu’ici</translation>
+        <translation>Meilleur jusqu&apos;ici</translation>
     </message>
     <message>
         <source>As it was</source>
@@ -646,7 +646,7 @@
     </message>
     <message>
         <source>Use this plan</source>
-        <translation>Prendre ce plan</translation>
+        <translation>Utiliser ce plan</translation>
     </message>
 </context>
 <context>
@@ -677,20 +677,20 @@
     </message>
     <message>
         <source>Turns and ways from block to block, estimated.</source>
-        <translation>Demi-tours et trajets d&apos;une sous-parcelle à l&apos;autre, estimés.</translation>
+        <translation>Demi-tours et déplacements d&apos;une sous-parcelle à l&apos;autre, estimés.</translation>
     </message>
 </context>
 <context>
     <name>ChoiceTable</name>
     <message>
         <source>%1, %2: %3</source>
-        <translation>%1, %2: %3</translation>
+        <translation>%1, %2 : %3</translation>
     </message>
     <message numerus="yes">
         <source>%n other(s) are slower still, or cannot be driven.</source>
         <translation>
-            <numerusform>%n autre est encore plus lent, ou impraticable.</numerusform>
-            <numerusform>%n autres sont encore plus lents, ou impraticables.</numerusform>
+            <numerusform>%n autre est encore plus lent, ou irréalisable.</numerusform>
+            <numerusform>%n autres sont encore plus lents, ou irréalisables.</numerusform>
         </translation>
     </message>
 </context>
@@ -709,7 +709,7 @@
     <name>CommandPalette</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Search commands and settings</source>
@@ -728,7 +728,7 @@
     </message>
     <message>
         <source>Click the place that you want to comment on. Esc ends it.</source>
-        <translation>Cliquez l’endroit à commenter. Échap y met fin.</translation>
+        <translation>Cliquez sur l&apos;endroit à commenter. Échap pour arrêter.</translation>
     </message>
 </context>
 <context>
@@ -739,7 +739,7 @@
     </message>
     <message>
         <source>Of a plan before the last change</source>
-        <translation>D’un plan d’avant le dernier changement</translation>
+        <translation>Plan d&apos;avant la dernière modification</translation>
     </message>
     <message>
         <source>Open again</source>
@@ -766,7 +766,7 @@
     </message>
     <message>
         <source>The other plan</source>
-        <translation>L’autre plan</translation>
+        <translation>L&apos;autre plan</translation>
     </message>
     <message>
         <source>Keep this plan as a variant…</source>
@@ -774,7 +774,7 @@
     </message>
     <message>
         <source>The other plan is being made …</source>
-        <translation>L’autre plan est en cours …</translation>
+        <translation>L&apos;autre plan est en cours de calcul…</translation>
     </message>
     <message>
         <source>This plan</source>
@@ -782,23 +782,23 @@
     </message>
     <message>
         <source>The other</source>
-        <translation>L’autre</translation>
+        <translation>L&apos;autre</translation>
     </message>
     <message>
         <source>%1: %2, the other %3</source>
-        <translation>%1 : %2, l’autre %3</translation>
+        <translation>%1 : %2, l&apos;autre %3</translation>
     </message>
     <message>
         <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>Sur la carte : traits pleins dans ce plan seul, tirets dans l’autre seul.</translation>
+        <translation>Sur la carte : traits pleins, dans ce plan seulement ; tirets, dans l&apos;autre seulement.</translation>
     </message>
     <message>
         <source>Hold to see the other plan (key X)</source>
-        <translation>Maintenir : l’autre plan (touche X)</translation>
+        <translation>Maintenir pour voir l&apos;autre plan (touche X)</translation>
     </message>
     <message>
         <source>What was chosen otherwise</source>
-        <translation>Ce qui est choisi autrement</translation>
+        <translation>Choix différents</translation>
     </message>
     <message>
         <source>Machine and settings are the same.</source>
@@ -810,18 +810,18 @@
     </message>
     <message>
         <source>Go on with the other plan</source>
-        <translation>Continuer avec l’autre plan</translation>
+        <translation>Continuer avec l&apos;autre plan</translation>
     </message>
 </context>
 <context>
     <name>CrashNotice</name>
     <message>
         <source>Furrow ended unexpectedly the last time.</source>
-        <translation>Furrow s’est arrêté de façon inattendue la dernière fois.</translation>
+        <translation>Furrow s&apos;est arrêté de façon inattendue la dernière fois.</translation>
     </message>
     <message>
         <source>Your work was kept up to the last half second. What happened is recorded on this computer; a report helps to mend it.</source>
-        <translation>Votre travail est conservé jusqu’à la dernière demi-seconde. Ce qui s’est passé est enregistré sur cet ordinateur ; un rapport aide à le corriger.</translation>
+        <translation>Votre travail est conservé jusqu&apos;à la dernière demi-seconde. Ce qui s&apos;est passé est enregistré sur cet ordinateur ; un rapport aide à le corriger.</translation>
     </message>
     <message>
         <source>Report a problem…</source>
@@ -894,7 +894,7 @@
     </message>
     <message>
         <source>Go to the farthest place</source>
-        <translation>Aller à l’endroit le plus éloigné</translation>
+        <translation>Aller à l&apos;endroit le plus éloigné</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -917,7 +917,7 @@
     </message>
     <message>
         <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
-        <translation>Ouvrir sa limite, ou déposer le fichier n&apos;importe où dans cette fenêtre. Shapefile, GeoJSON, KML, GeoPackage, GML et d&apos;autres sont lus, zippés ou non.</translation>
+        <translation>Ouvrez sa limite, ou déposez le fichier n&apos;importe où dans cette fenêtre. Shapefile, GeoJSON, KML, GeoPackage, GML et d&apos;autres sont lus, zippés ou non.</translation>
     </message>
     <message>
         <source>Open a file…</source>
@@ -929,7 +929,7 @@
     </message>
     <message>
         <source>Or try one of these</source>
-        <translation>Ou essayer l&apos;une de celles-ci</translation>
+        <translation>Ou essayez l&apos;une de celles-ci</translation>
     </message>
     <message>
         <source>Sample field %1</source>
@@ -940,7 +940,7 @@
     <name>ErrorCourse</name>
     <message>
         <source>Distance from the plan along the recording, up to %1</source>
-        <translation>Écart au plan le long de l’enregistrement, jusqu’à %1</translation>
+        <translation>Écart au plan le long de l&apos;enregistrement, jusqu&apos;à %1</translation>
     </message>
     <message>
         <source>%1 to the left</source>
@@ -960,8 +960,8 @@
     <message numerus="yes">
         <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>%n contrôle réussi : rien dans les fichiers qui gêne les consoles.</numerusform>
-            <numerusform>%n contrôles réussis : rien dans les fichiers qui gêne les consoles.</numerusform>
+            <numerusform>%n contrôle réussi : rien dans les fichiers qui puisse gêner les consoles.</numerusform>
+            <numerusform>%n contrôles réussis : rien dans les fichiers qui puisse gêner les consoles.</numerusform>
         </translation>
     </message>
 </context>
@@ -1006,8 +1006,8 @@
     <message numerus="yes">
         <source>%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.</source>
         <translation>
-            <numerusform>%n problème dans ce plan : il ne peut pas être parcouru tel quel. Les fichiers le disent aussi.</numerusform>
-            <numerusform>%n problèmes dans ce plan : il ne peut pas être parcouru tel quel. Les fichiers le disent aussi.</numerusform>
+            <numerusform>%n problème dans ce plan : il ne peut pas être suivi tel quel. Les fichiers le disent aussi.</numerusform>
+            <numerusform>%n problèmes dans ce plan : il ne peut pas être suivi tel quel. Les fichiers le disent aussi.</numerusform>
         </translation>
     </message>
 </context>
@@ -1038,7 +1038,7 @@
     </message>
     <message>
         <source>No USB stick is plugged in. It appears here when it is; or choose a folder to carry the files yourself.</source>
-        <translation>Aucune clé USB n&apos;est branchée. Elle apparaît ici dès qu&apos;elle l&apos;est ; ou choisir un dossier pour transporter les fichiers soi-même.</translation>
+        <translation>Aucune clé USB n&apos;est branchée. Elle apparaîtra ici dès qu&apos;elle le sera ; ou choisissez un dossier pour transporter les fichiers vous-même.</translation>
     </message>
     <message>
         <source>Another folder…</source>
@@ -1069,7 +1069,7 @@
     </message>
     <message>
         <source>Also in a task, for terminals that show lines in tasks only</source>
-        <translation>Aussi dans une tâche, si la console l’exige</translation>
+        <translation>Aussi dans une tâche, si la console l&apos;exige</translation>
     </message>
 </context>
 <context>
@@ -1102,7 +1102,7 @@
     <name>FarmPanel</name>
     <message>
         <source>The farm</source>
-        <translation>L’exploitation</translation>
+        <translation>L&apos;exploitation</translation>
     </message>
     <message>
         <source>Find a field</source>
@@ -1110,7 +1110,7 @@
     </message>
     <message>
         <source>Find a field, season or machine</source>
-        <translation>Chercher une parcelle, une saison, une machine</translation>
+        <translation>Chercher une parcelle, une campagne, une machine</translation>
     </message>
     <message>
         <source>Back to the field (Esc)</source>
@@ -1142,7 +1142,7 @@
     </message>
     <message>
         <source>Fields of the farm</source>
-        <translation>Parcelles de l’exploitation</translation>
+        <translation>Parcelles de l&apos;exploitation</translation>
     </message>
     <message>
         <source>No field has these words.</source>
@@ -1150,7 +1150,7 @@
     </message>
     <message>
         <source>There is no field yet.</source>
-        <translation>Il n’y a pas encore de parcelle.</translation>
+        <translation>Il n&apos;y a pas encore de parcelle.</translation>
     </message>
     <message>
         <source>Select none</source>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Planification …</translation>
+        <translation>Planification…</translation>
     </message>
     <message>
         <source>All are planned</source>
@@ -1227,7 +1227,7 @@
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
         <translation>
-            <numerusform>Est-ce cette %n parcelle ?</numerusform>
+            <numerusform>Quelle parcelle (%n) ?</numerusform>
             <numerusform>Laquelle des %n parcelles ?</numerusform>
         </translation>
     </message>
@@ -1325,7 +1325,7 @@
     </message>
     <message>
         <source>missed</source>
-        <translation>oublié</translation>
+        <translation>non travaillé</translation>
     </message>
     <message>
         <source>turning</source>
@@ -1349,7 +1349,7 @@
     </message>
     <message>
         <source>Let Furrow search the direction</source>
-        <translation>Laisser Furrow chercher l’orientation</translation>
+        <translation>Laisser Furrow chercher l&apos;orientation</translation>
     </message>
 </context>
 <context>
@@ -1360,7 +1360,7 @@
     </message>
     <message>
         <source>Add imagery</source>
-        <translation>Ajouter une imagerie</translation>
+        <translation>Ajouter des images</translation>
     </message>
     <message>
         <source>Pictures and heights (%1)</source>
@@ -1464,7 +1464,7 @@
     </message>
     <message>
         <source>Drag it on the map, move it by arrow keys, or type where it is.</source>
-        <translation>Le tirer sur la carte, le déplacer avec les flèches ou taper sa position.</translation>
+        <translation>Faites-le glisser sur la carte, déplacez-le avec les flèches ou saisissez sa position.</translation>
     </message>
     <message>
         <source>Latitude</source>
@@ -1492,11 +1492,11 @@
     </message>
     <message>
         <source>One swath lies on it, the others beside it. Drag it or its ends, or type its direction.</source>
-        <translation>Un passage s&apos;y trouve, les autres à côté. Tirer la ligne ou ses extrémités, ou taper sa direction.</translation>
+        <translation>Un passage est dessus, les autres à côté. Faites glisser la ligne ou ses extrémités, ou saisissez sa direction.</translation>
     </message>
     <message>
         <source>Drag it to move it sideways; the dot in its middle makes another point.</source>
-        <translation>Le tirer le déplace latéralement ; le point en son milieu en crée un autre.</translation>
+        <translation>Faites-le glisser pour le déplacer latéralement ; le point en son milieu en crée un autre.</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1516,7 +1516,7 @@
     </message>
     <message>
         <source>It is not worked, and nothing drives nearer than its buffer.</source>
-        <translation>Il n&apos;est pas travaillé, et rien ne s&apos;en approche plus que la distance.</translation>
+        <translation>Il n&apos;est pas travaillé, et rien ne s&apos;en approche à moins de cette distance.</translation>
     </message>
     <message>
         <source>Buffer</source>
@@ -1532,7 +1532,7 @@
     </message>
     <message>
         <source>the end</source>
-        <translation>fin</translation>
+        <translation>arrivée</translation>
     </message>
     <message>
         <source>swath %1</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>Way from %1 to %2</source>
-        <translation>Trajet : %1 → %2</translation>
+        <translation>Déplacement : %1 → %2</translation>
     </message>
     <message>
         <source>%1 without working, in %2.</source>
@@ -1611,7 +1611,7 @@
     </message>
     <message>
         <source>Here the machine may enter and leave the field. Drag it along the boundary.</source>
-        <translation>La machine peut entrer et sortir ici. La tirer le long de la limite.</translation>
+        <translation>Ici, la machine peut entrer et sortir. Faites glisser l&apos;entrée le long de la limite.</translation>
     </message>
     <message>
         <source>Guidance curve</source>
@@ -1619,7 +1619,7 @@
     </message>
     <message>
         <source>The swaths lie beside it. Drag its points, or delete it.</source>
-        <translation>Les passages sont à côté. Tirer ses points ou la supprimer.</translation>
+        <translation>Les passages sont à côté. Faites glisser ses points, ou supprimez-la.</translation>
     </message>
     <message>
         <source>Points</source>
@@ -1631,7 +1631,7 @@
     </message>
     <message>
         <source>It is no part of the field. Drag it, or its points and edges.</source>
-        <translation>Elle ne fait pas partie de la parcelle. La tirer, ou ses points et côtés.</translation>
+        <translation>Elle ne fait pas partie de la parcelle. Faites-la glisser, ou ses points et ses côtés.</translation>
     </message>
     <message>
         <source>split line</source>
@@ -1639,7 +1639,7 @@
     </message>
     <message>
         <source>The field inside the headland is cut along it, where it runs right through. Drag it or its points, or delete it.</source>
-        <translation>Le plein champ est coupé le long de cette ligne, là où elle le traverse entièrement. La tirer, tirer ses points ou la supprimer.</translation>
+        <translation>Le plein champ est coupé le long de cette ligne, là où elle le traverse entièrement. Faites glisser la ligne ou ses points, ou supprimez-la.</translation>
     </message>
     <message>
         <source>Split line %1</source>
@@ -1655,7 +1655,7 @@
     </message>
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
-        <translation>Parcouru en numéro %1 sur %2 : %3 en %4.</translation>
+        <translation>Fait en n° %1 sur %2 : %3 en %4.</translation>
     </message>
     <message>
         <source>From the edge</source>
@@ -1686,7 +1686,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>May be driven on</source>
@@ -1694,7 +1694,7 @@
     </message>
     <message>
         <source>Swaths along it</source>
-        <translation>Passages le long</translation>
+        <translation>Passages parallèles</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1702,14 +1702,14 @@
     </message>
     <message>
         <source>Drive from here</source>
-        <translation>Parcourir d’ici</translation>
+        <translation>Parcourir d&apos;ici</translation>
     </message>
 </context>
 <context>
     <name>KeysDialog</name>
     <message>
         <source>Drag the map, wheel</source>
-        <translation>Tirer la carte, molette</translation>
+        <translation>Glisser la carte, molette</translation>
     </message>
     <message>
         <source>move, zoom</source>
@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>finish drawing; type into the inspector</source>
-        <translation>terminer le dessin ; saisir dans l&apos;inspecteur</translation>
+        <translation>terminer le dessin ; saisir dans le panneau de droite</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -1745,7 +1745,7 @@
     </message>
     <message>
         <source>no snapping while it is held</source>
-        <translation>pas d&apos;accrochage tant qu&apos;elle est tenue</translation>
+        <translation>pas d&apos;accrochage tant qu&apos;elle est enfoncée</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -1761,7 +1761,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1862,11 +1862,11 @@
     </message>
     <message>
         <source>Keep as your own…</source>
-        <translation>Garder comme la vôtre…</translation>
+        <translation>Garder dans vos machines…</translation>
     </message>
     <message>
         <source>Remove from your own</source>
-        <translation>Retirer des vôtres</translation>
+        <translation>Retirer de vos machines</translation>
     </message>
 </context>
 <context>
@@ -2001,18 +2001,18 @@
     <name>OnlineMap</name>
     <message>
         <source>© OpenStreetMap contributors</source>
-        <translation>© les contributeurs d’OpenStreetMap</translation>
+        <translation>© les contributeurs d&apos;OpenStreetMap</translation>
     </message>
 </context>
 <context>
     <name>OrderEditor</name>
     <message>
         <source>Change the order by hand…</source>
-        <translation>Changer l’ordre à la main…</translation>
+        <translation>Changer l&apos;ordre à la main…</translation>
     </message>
     <message>
         <source>Drag a swath to its new place. Or click swaths on the map: each is driven after the one clicked before.</source>
-        <translation>Faites glisser un passage à sa nouvelle place. Ou cliquez des passages sur la carte : chacun suit le précédent.</translation>
+        <translation>Faites glisser un passage à sa nouvelle place. Ou cliquez sur des passages de la carte : chacun est fait après le précédent.</translation>
     </message>
     <message>
         <source>Order of swaths</source>
@@ -2024,11 +2024,11 @@
     </message>
     <message>
         <source>Search the order of the others</source>
-        <translation>Chercher l’ordre des autres</translation>
+        <translation>Chercher l&apos;ordre des autres</translation>
     </message>
     <message>
         <source>Search the order again</source>
-        <translation>Chercher l’ordre à nouveau</translation>
+        <translation>Chercher l&apos;ordre à nouveau</translation>
     </message>
 </context>
 <context>
@@ -2050,7 +2050,7 @@
     </message>
     <message>
         <source>Drive swath %1 the other way</source>
-        <translation>Parcourir le passage %1 dans l’autre sens</translation>
+        <translation>Parcourir le passage %1 dans l&apos;autre sens</translation>
     </message>
 </context>
 <context>
@@ -2103,7 +2103,7 @@
     <name>Pickers</name>
     <message>
         <source>Click the place on the map. Esc ends it.</source>
-        <translation>Cliquez l’endroit sur la carte. Échap y met fin.</translation>
+        <translation>Cliquez sur l&apos;endroit sur la carte. Échap pour arrêter.</translation>
     </message>
 </context>
 <context>
@@ -2157,11 +2157,11 @@
     </message>
     <message>
         <source>%1 cannot be made: %2</source>
-        <translation>%1 ne peut être créé : %2</translation>
+        <translation>%1 ne peut pas être créé : %2</translation>
     </message>
     <message>
         <source>%1 crosses an obstacle, by %2.</source>
-        <translation>%1 traverse un obstacle, de %2.</translation>
+        <translation>%1 empiète de %2 sur un obstacle.</translation>
     </message>
     <message>
         <source>%1 crosses an obstacle.</source>
@@ -2173,7 +2173,7 @@
     </message>
     <message>
         <source>%1 for transport is wider than the machine at work, %2</source>
-        <translation>%1 pour le transport, c’est plus large que la machine au travail, %2</translation>
+        <translation>%1 pour le transport, c&apos;est plus large que la machine au travail, %2</translation>
     </message>
     <message>
         <source>%1 in one piece are not worked.</source>
@@ -2193,7 +2193,7 @@
     </message>
     <message>
         <source>%1 is out of range</source>
-        <translation>%1 est hors des bornes</translation>
+        <translation>%1 est hors des valeurs admises</translation>
     </message>
     <message>
         <source>%1 is planned, but nothing of it is driven with the implement down.</source>
@@ -2209,7 +2209,7 @@
     </message>
     <message>
         <source>%1 leads from one part of the field to another that this machine cannot drive to.</source>
-        <translation>%1 mène d’une partie de la parcelle à une autre que cette machine ne peut pas atteindre.</translation>
+        <translation>%1 mène d&apos;une partie de la parcelle à une autre que cette machine ne peut pas atteindre.</translation>
     </message>
     <message>
         <source>%1 leaves the field by %2.</source>
@@ -2217,11 +2217,11 @@
     </message>
     <message>
         <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
-        <translation>%1 sort de la parcelle ou traverse un obstacle, jusqu&apos;à %2, comme ce plan le permet.</translation>
+        <translation>%1 sort de la parcelle ou empiète sur un obstacle, de %2 au plus, comme ce plan le permet.</translation>
     </message>
     <message>
         <source>%1 moves %2 off where the machine points.</source>
-        <translation>%1 avance à %2 de la direction de la machine.</translation>
+        <translation>%1 s&apos;écarte de %2 du cap de la machine.</translation>
     </message>
     <message>
         <source>%1 needs %2</source>
@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
-        <translation>%1 renvoie d&apos;autres octets que ceux écrits</translation>
+        <translation>%1, relu, ne correspond pas à ce qui a été écrit</translation>
     </message>
     <message>
         <source>%1 small patches of worked pixels are left out</source>
@@ -2249,7 +2249,7 @@
     </message>
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
-        <translation>%1 passages et demi-tours sortent de la parcelle ou traversent un obstacle, jusqu&apos;à %2, comme ce plan le permet.</translation>
+        <translation>%1 passages et demi-tours sortent de la parcelle ou empiètent sur un obstacle, de %2 au plus, comme ce plan le permet.</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2306,8 +2306,8 @@
     <message numerus="yes">
         <source>%n areas are neither field, hole nor obstacle by their layer or kind and were not used</source>
         <translation>
-            <numerusform>%n surface n&apos;est, d&apos;après son calque ou son genre, ni parcelle, ni enclave, ni obstacle et n&apos;a pas été utilisée</numerusform>
-            <numerusform>%n surfaces ne sont, d&apos;après leur calque ou leur genre, ni parcelle, ni enclave, ni obstacle et n&apos;ont pas été utilisées</numerusform>
+            <numerusform>%n surface n&apos;est, d&apos;après son calque ou son type, ni parcelle, ni enclave, ni obstacle et n&apos;a pas été utilisée</numerusform>
+            <numerusform>%n surfaces ne sont, d&apos;après leur calque ou leur type, ni parcelle, ni enclave, ni obstacle et n&apos;ont pas été utilisées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2376,8 +2376,8 @@
     <message numerus="yes">
         <source>%n rings did not end where they began and were closed</source>
         <translation>
-            <numerusform>%n contour ne finissait pas où il commence et a été fermé</numerusform>
-            <numerusform>%n contours ne finissaient pas où ils commencent et ont été fermés</numerusform>
+            <numerusform>%n contour ne finissait pas là où il commence et a été fermé</numerusform>
+            <numerusform>%n contours ne finissaient pas là où ils commencent et ont été fermés</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2427,7 +2427,7 @@
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
-        <translation>&apos;%1&apos;, &apos;%2&apos; n&apos;est pas une latitude et une longitude</translation>
+        <translation>« %1 », « %2 » n&apos;est pas une latitude et une longitude</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -2439,11 +2439,11 @@
     </message>
     <message>
         <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
-        <translation>Renflé des deux côtés ; pour des passages à moins de deux rayons de braquage.</translation>
+        <translation>S&apos;élargit des deux côtés ; pour des passages à moins de deux rayons de braquage.</translation>
     </message>
     <message>
         <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
-        <translation>Renflé d&apos;un côté et retour droit ; pour des passages à moins de deux rayons de braquage.</translation>
+        <translation>S&apos;élargit d&apos;un côté, puis retour droit ; pour des passages à moins de deux rayons de braquage.</translation>
     </message>
     <message>
         <source>A block gets a heading of its own where that saves time.</source>
@@ -2463,7 +2463,7 @@
     </message>
     <message>
         <source>A raster of heights in metres that covers the field, such as a GeoTIFF.</source>
-        <translation>Une grille d&apos;altitudes en mètres qui couvre la parcelle, comme un GeoTIFF.</translation>
+        <translation>Une grille d&apos;altitudes en mètres qui couvre la parcelle, par exemple un GeoTIFF.</translation>
     </message>
     <message>
         <source>A robot with ROS 2</source>
@@ -2531,7 +2531,7 @@
     </message>
     <message>
         <source>All swaths along the longest straight edge inside the headland.</source>
-        <translation>Tous les passages le long du plus grand côté droit du plein champ.</translation>
+        <translation>Tous les passages le long du plus long côté droit du plein champ.</translation>
     </message>
     <message>
         <source>All swaths in the direction that you type.</source>
@@ -2571,7 +2571,7 @@
     </message>
     <message>
         <source>Along the longest edge</source>
-        <translation>Le long du plus grand côté</translation>
+        <translation>Le long du plus long côté</translation>
     </message>
     <message>
         <source>An older ISOBUS terminal</source>
@@ -2591,7 +2591,7 @@
     </message>
     <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
-        <translation>Choisir le meilleur demi-tour possible : il prend partout le plus rapide.</translation>
+        <translation>Choisissez « Le meilleur qui passe », qui prend partout le plus rapide.</translation>
     </message>
     <message>
         <source>Joined where that is quicker</source>
@@ -2663,7 +2663,7 @@
     </message>
     <message>
         <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
-        <translation>Limite et lignes de guidage pour écrans Trimble et FM ; pas d&apos;ordre.</translation>
+        <translation>Limite et lignes de guidage pour consoles Trimble et FM ; pas d&apos;ordre des passages.</translation>
     </message>
     <message>
         <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
@@ -2675,7 +2675,7 @@
     </message>
     <message>
         <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
-        <translation>Limite, enclaves, obstacles et lignes de guidage pour consoles anciennes ; ni fourrière ni ordre.</translation>
+        <translation>Limite, enclaves, obstacles et lignes de guidage pour consoles anciennes ; ni fourrière ni ordre des passages.</translation>
     </message>
     <message>
         <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
@@ -2731,11 +2731,11 @@
     </message>
     <message>
         <source>Check that the machine stays inside the field while it turns.</source>
-        <translation>Vérifier que la machine reste dans la parcelle en tournant.</translation>
+        <translation>Vérifiez que la machine reste dans la parcelle en tournant.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
-        <translation>Choisir un autre endroit.</translation>
+        <translation>Choisissez un autre endroit.</translation>
     </message>
     <message>
         <source>Circles</source>
@@ -2763,7 +2763,7 @@
     </message>
     <message>
         <source>Crop protection: headland first, ways along the headland.</source>
-        <translation>Protection des cultures : fourrière d&apos;abord, trajets par la fourrière.</translation>
+        <translation>Protection des cultures : fourrière d&apos;abord, déplacements par la fourrière.</translation>
     </message>
     <message>
         <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
@@ -2775,7 +2775,7 @@
     </message>
     <message>
         <source>Curves with reversing, smooth steering</source>
-        <translation>Courbes avec recul, direction douce</translation>
+        <translation>Courbes avec recul, braquage progressif</translation>
     </message>
     <message>
         <source>Cut along the swaths at every corner, sharp or rounded.</source>
@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
-        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où cela évite des demi-tours et des trajets.</translation>
+        <translation>Coupé là où un obstacle ou un renfoncement commence ou finit, et réuni là où cela évite des demi-tours et des déplacements.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Drilling or planting: headland last, ways along the headland.</source>
-        <translation>Semis ou plantation : fourrière en dernier, trajets par la fourrière.</translation>
+        <translation>Semis ou plantation : fourrière en dernier, déplacements par la fourrière.</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -2815,15 +2815,15 @@
     </message>
     <message>
         <source>Drive the curves more slowly.</source>
-        <translation>Prendre les courbes plus lentement.</translation>
+        <translation>Prenez les courbes plus lentement.</translation>
     </message>
     <message>
         <source>Drives the path from waypoint to waypoint, rounding corners its own way; relay 1 is on where the implement works. Not tested on the machine by us.</source>
-        <translation>Va de point en point en arrondissant les angles à sa façon ; le relais 1 est fermé là où l&apos;outil travaille. Non testé par nous sur la machine.</translation>
+        <translation>Va de point en point en arrondissant les angles à sa façon ; le relais 1 est activé là où l&apos;outil travaille. Non testé par nous sur la machine.</translation>
     </message>
     <message>
         <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
-        <translation>Suit tout le trajet, demi-tours compris, comme trajet enregistré ; les tronçons en marche arrière sont laissés au conducteur. Montre limite, fourrière et lignes de guidage. Copier le dossier de la parcelle dans Documents/AgOpenGPS/Fields.</translation>
+        <translation>Suit tout le trajet, demi-tours compris, comme trajet enregistré ; les tronçons en marche arrière sont laissés au chauffeur. Montre limite, fourrière et lignes de guidage. Copiez le dossier de la parcelle dans Documents/AgOpenGPS/Fields.</translation>
     </message>
     <message>
         <source>Each its own</source>
@@ -2867,7 +2867,7 @@
     </message>
     <message>
         <source>Fertiliser or manure: headland first, ways along the headland.</source>
-        <translation>Engrais ou fumier : fourrière d&apos;abord, trajets par la fourrière.</translation>
+        <translation>Engrais ou fumier : fourrière d&apos;abord, déplacements par la fourrière.</translation>
     </message>
     <message>
         <source>Fertiliser spreader, 36 m</source>
@@ -2879,7 +2879,7 @@
     </message>
     <message>
         <source>Field robot, 1.5 m weeder</source>
-        <translation>Robot de champ, bineuse 1,5 m</translation>
+        <translation>Robot agricole, bineuse 1,5 m</translation>
     </message>
     <message>
         <source>Finish corners</source>
@@ -2907,7 +2907,7 @@
     </message>
     <message>
         <source>Forward curves, smooth steering</source>
-        <translation>Courbes avant, direction douce</translation>
+        <translation>Courbes avant, braquage progressif</translation>
     </message>
     <message>
         <source>Forward, back with the wheels the other way, forward again.</source>
@@ -2967,11 +2967,11 @@
     </message>
     <message>
         <source>Full spacing; the last swath is moved back to the edge.</source>
-        <translation>Espacement plein ; le dernier passage est ramené au bord.</translation>
+        <translation>Espacement complet ; le dernier passage est ramené au bord.</translation>
     </message>
     <message>
         <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
-        <translation>Espacement plein ; un reste de moins d&apos;une demi-largeur n&apos;est pas travaillé, là où cela coûte le moins.</translation>
+        <translation>Espacement complet ; un reste de moins d&apos;une demi-largeur n&apos;est pas travaillé, là où cela coûte le moins.</translation>
     </message>
     <message>
         <source>Full width</source>
@@ -2987,7 +2987,7 @@
     </message>
     <message>
         <source>Go round obstacles up to</source>
-        <translation>Contourner les obstacles jusqu’à</translation>
+        <translation>Contourner les obstacles jusqu&apos;à</translation>
     </message>
     <message>
         <source>Great Field</source>
@@ -3027,7 +3027,7 @@
     </message>
     <message>
         <source>Home Field</source>
-        <translation>Champ du Foyer</translation>
+        <translation>Champ de la Ferme</translation>
     </message>
     <message>
         <source>How far a trailed implement may swing to one side.</source>
@@ -3151,7 +3151,7 @@
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
-        <translation>Litres de carburant par heure de demi-tours et de trajets.</translation>
+        <translation>Litres de carburant par heure de demi-tours et de déplacements.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of work.</source>
@@ -3167,7 +3167,7 @@
     </message>
     <message>
         <source>Lower the speeds, or correct the machine&apos;s.</source>
-        <translation>Baisser les vitesses, ou corriger celles de la machine.</translation>
+        <translation>Baissez les vitesses, ou corrigez celles de la machine.</translation>
     </message>
     <message>
         <source>MAVLink waypoints</source>
@@ -3175,7 +3175,7 @@
     </message>
     <message>
         <source>Make the gate wider, or take another.</source>
-        <translation>Élargir l&apos;entrée de parcelle ou en prendre une autre.</translation>
+        <translation>Élargissez l&apos;entrée de parcelle ou prenez-en une autre.</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -3191,7 +3191,7 @@
     </message>
     <message>
         <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
-        <translation>La plupart des consoles ne lisent que FAT32 ; cette clé est en %1. La formater en FAT32.</translation>
+        <translation>La plupart des consoles ne lisent que FAT32 ; cette clé est en %1. Formatez-la en FAT32.</translation>
     </message>
     <message>
         <source>Mounted cultivator, 6 m</source>
@@ -3303,27 +3303,27 @@
     </message>
     <message>
         <source>Plan again with this machine&apos;s turning radius.</source>
-        <translation>Planifier à nouveau avec le rayon de braquage de cette machine.</translation>
+        <translation>Planifiez à nouveau avec le rayon de braquage de cette machine.</translation>
     </message>
     <message>
         <source>Plan again, or trust the positions.</source>
-        <translation>Planifier à nouveau, ou se fier aux positions.</translation>
+        <translation>Planifiez à nouveau, ou fiez-vous aux positions.</translation>
     </message>
     <message>
         <source>Plan again; the heading or the gear is wrong here.</source>
-        <translation>Planifier à nouveau ; le cap ou le rapport est faux ici.</translation>
+        <translation>Planifiez à nouveau ; le cap ou le sens de marche est faux ici.</translation>
     </message>
     <message>
         <source>Plan again; the path lacks this pass.</source>
-        <translation>Planifier à nouveau ; ce passage manque au trajet.</translation>
+        <translation>Planifiez à nouveau ; ce passage manque au trajet.</translation>
     </message>
     <message>
         <source>Plan again; the path was changed or cut here.</source>
-        <translation>Planifier à nouveau ; le trajet a été modifié ou coupé ici.</translation>
+        <translation>Planifiez à nouveau ; le trajet a été modifié ou coupé ici.</translation>
     </message>
     <message>
         <source>Plan again; the times were changed.</source>
-        <translation>Planifier à nouveau ; les temps ont été modifiés.</translation>
+        <translation>Planifiez à nouveau ; les temps ont été modifiés.</translation>
     </message>
     <message>
         <source>Plan the parts of the field apart, or widen the passage between them.</source>
@@ -3331,7 +3331,7 @@
     </message>
     <message>
         <source>Plan the turn that is missing here.</source>
-        <translation>Planifier le demi-tour qui manque ici.</translation>
+        <translation>Planifiez le demi-tour qui manque ici.</translation>
     </message>
     <message>
         <source>Power harrow and drill, 3 m</source>
@@ -3371,7 +3371,7 @@
     </message>
     <message>
         <source>Relay 1 is on where the implement works.</source>
-        <translation>Le relais 1 est fermé là où l&apos;outil travaille.</translation>
+        <translation>Le relais 1 est activé là où l&apos;outil travaille.</translation>
     </message>
     <message>
         <source>Repaired in %1: %2.</source>
@@ -3467,7 +3467,7 @@
     </message>
     <message>
         <source>Six-row planter, 4.5 m</source>
-        <translation>Planteuse six rangs, 4,5 m</translation>
+        <translation>Semoir monograine six rangs, 4,5 m</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -3511,7 +3511,7 @@
     </message>
     <message>
         <source>Speed on longer ways with the implement lifted.</source>
-        <translation>Vitesse sur les longs trajets, outil relevé.</translation>
+        <translation>Vitesse sur les longs déplacements, outil relevé.</translation>
     </message>
     <message>
         <source>Speed with the implement at work.</source>
@@ -3555,7 +3555,7 @@
     </message>
     <message>
         <source>Step</source>
-        <translation>Pas</translation>
+        <translation>Pas angulaire</translation>
     </message>
     <message>
         <source>Straight into the corner and back into it on the next side.</source>
@@ -3571,11 +3571,11 @@
     </message>
     <message>
         <source>Swath after swath over all of the field, whatever cuts them.</source>
-        <translation>Passage après passage sur tout le plein champ, quoi qui les coupe.</translation>
+        <translation>Passage après passage sur tout le plein champ, sans tenir compte de ce qui les coupe.</translation>
     </message>
     <message>
         <source>Swath numbers in driving order; a minus drives one the other way.</source>
-        <translation>Numéros de passages dans l&apos;ordre ; un moins en inverse un.</translation>
+        <translation>Numéros de passages dans l&apos;ordre ; un signe moins inverse le sens.</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -3587,7 +3587,7 @@
     </message>
     <message>
         <source>Swaths go round obstacles of up to this size; larger ones get a headland. Auto is the operating width.</source>
-        <translation>Les passages contournent les obstacles jusqu’à cette taille ; les plus grands reçoivent une fourrière. Auto est la largeur de travail.</translation>
+        <translation>Les passages contournent les obstacles jusqu&apos;à cette taille ; les plus grands reçoivent une fourrière. Auto est la largeur de travail.</translation>
     </message>
     <message>
         <source>Swaths left out at each turn and driven on the way back.</source>
@@ -3631,11 +3631,11 @@
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
-        <translation>La parcelle est trop étroite pour %1 de fourrière ; elle a %2 avec %3</translation>
+        <translation>La parcelle est trop étroite pour %1 de fourrière ; il en reste %2, avec %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
-        <translation>La parcelle est trop étroite pour %1 de fourrière ; il n&apos;y en a pas</translation>
+        <translation>La parcelle est trop étroite pour %1 de fourrière ; il n&apos;y en a donc pas</translation>
     </message>
     <message>
         <source>The first swath</source>
@@ -3719,7 +3719,7 @@
     </message>
     <message>
         <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
-        <translation>Le trajet en mission pour ArduPilot Rover : points, vitesses, rapport, outil.</translation>
+        <translation>Le trajet en mission pour ArduPilot Rover : points, vitesses, sens de marche, outil.</translation>
     </message>
     <message>
         <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
@@ -3807,15 +3807,15 @@
     </message>
     <message>
         <source>The way from %1 to %2</source>
-        <translation>Le trajet %1 → %2</translation>
+        <translation>Le déplacement %1 → %2</translation>
     </message>
     <message>
         <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
-        <translation>Celui qui est choisi n’y tient pas dans la parcelle ou est impossible entre ces passages.</translation>
+        <translation>Celui qui est choisi n&apos;y tient pas dans la parcelle ou est impossible entre ces passages.</translation>
     </message>
     <message>
         <source>There the chosen one does not fit into the field.</source>
-        <translation>Celui qui est choisi n’y tient pas dans la parcelle.</translation>
+        <translation>Celui qui est choisi n&apos;y tient pas dans la parcelle.</translation>
     </message>
     <message>
         <source>This machine cannot reverse.</source>
@@ -3867,7 +3867,7 @@
     </message>
     <message>
         <source>Transfer speed</source>
-        <translation>Vitesse de trajet</translation>
+        <translation>Vitesse de déplacement</translation>
     </message>
     <message>
         <source>Transport width</source>
@@ -3895,7 +3895,7 @@
     </message>
     <message>
         <source>Turns between swaths that are of another kind than chosen (path.method): %1 of %2. %3</source>
-        <translation>Demi-tours entre passages d’un autre type que celui choisi (path.method) : %1 sur %2. %3</translation>
+        <translation>Demi-tours entre passages d&apos;un autre type que celui choisi (path.method) : %1 sur %2. %3</translation>
     </message>
     <message>
         <source>Turns in place and drives straight to the next swath; only for machines that can.</source>
@@ -3919,19 +3919,19 @@
     </message>
     <message>
         <source>Ways</source>
-        <translation>Trajets</translation>
+        <translation>Déplacements</translation>
     </message>
     <message>
         <source>Ways keep to the field&apos;s edge.</source>
-        <translation>Les trajets restent au bord de la parcelle.</translation>
+        <translation>Les déplacements restent au bord de la parcelle.</translation>
     </message>
     <message>
         <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
-        <translation>Les trajets restent sur la fourrière ; on ne roule pas sur la culture ni le lit de semences.</translation>
+        <translation>Les déplacements restent sur la fourrière ; on ne roule pas sur la culture ni le lit de semences.</translation>
     </message>
     <message>
         <source>Ways may cross worked land.</source>
-        <translation>Les trajets peuvent traverser le plein champ.</translation>
+        <translation>Les déplacements peuvent traverser le plein champ.</translation>
     </message>
     <message>
         <source>Well-known text</source>
@@ -3943,7 +3943,7 @@
     </message>
     <message>
         <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
-        <translation>Ce que tout garde par rapport à la limite ; auto est la précision de la limite.</translation>
+        <translation>Distance à la limite que rien ne franchit ; auto : la précision de la limite.</translation>
     </message>
     <message>
         <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
@@ -3959,7 +3959,7 @@
     </message>
     <message>
         <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
-        <translation>Pour quoi l&apos;on roule : fixe quand la fourrière est travaillée, les trajets et le recouvrement.</translation>
+        <translation>Le travail à faire : détermine quand la fourrière est travaillée, les déplacements et le recouvrement.</translation>
     </message>
     <message>
         <source>What the machine is called.</source>
@@ -3967,7 +3967,7 @@
     </message>
     <message>
         <source>What the search for the best heading looks for.</source>
-        <translation>Ce que cherche la recherche de la meilleure orientation.</translation>
+        <translation>Ce que vise la recherche de la meilleure orientation.</translation>
     </message>
     <message>
         <source>Wheelbase</source>
@@ -4019,7 +4019,7 @@
     </message>
     <message>
         <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
-        <translation>Largeur une fois replié pour la route, aux entrées de parcelle et sur les trajets d’entrée et de sortie ; sans indication, la largeur relevé.</translation>
+        <translation>Largeur une fois replié pour la route, aux entrées de parcelle et pour entrer et sortir ; sans indication, la largeur outil relevé.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
@@ -4035,7 +4035,7 @@
     </message>
     <message>
         <source>Work it along the boundary, before or after the swaths.</source>
-        <translation>La travailler le long de la limite, avant ou après les passages.</translation>
+        <translation>Travaillez-la le long de la limite, avant ou après les passages.</translation>
     </message>
     <message>
         <source>Work the headland</source>
@@ -4107,7 +4107,7 @@
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
-        <translation>un éclat de %1 a été laissé de côté</translation>
+        <translation>un petit reste de %1 a été laissé de côté</translation>
     </message>
     <message>
         <source>a track that ended %1 from where it began was closed</source>
@@ -4119,11 +4119,11 @@
     </message>
     <message>
         <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
-        <translation>ajouter le fichier .prj qui l&apos;accompagne, ou exporter à nouveau en WGS84</translation>
+        <translation>ajoutez le fichier .prj qui l&apos;accompagne, ou exportez à nouveau la parcelle en WGS84</translation>
     </message>
     <message>
         <source>allow it to be kept as a backup</source>
-        <translation>permettre de le garder comme copie</translation>
+        <translation>permettez de le garder comme copie</translation>
     </message>
     <message>
         <source>an obstacle</source>
@@ -4143,51 +4143,51 @@
     </message>
     <message>
         <source>changes cannot be kept for the case of a crash: %1</source>
-        <translation>les modifications ne peuvent être gardées en cas de plantage : %1</translation>
+        <translation>les modifications ne peuvent pas être gardées en cas de plantage : %1</translation>
     </message>
     <message>
         <source>check its coordinates</source>
-        <translation>vérifier ses coordonnées</translation>
+        <translation>vérifiez ses coordonnées</translation>
     </message>
     <message>
         <source>check that the folder can be written to</source>
-        <translation>vérifier que l&apos;on peut écrire dans le dossier</translation>
+        <translation>vérifiez que l&apos;on peut écrire dans le dossier</translation>
     </message>
     <message>
         <source>check that you may read it</source>
-        <translation>vérifier que l&apos;on a le droit de le lire</translation>
+        <translation>vérifiez que vous avez le droit de le lire</translation>
     </message>
     <message>
         <source>check the boundary for crossings</source>
-        <translation>vérifier les croisements de la limite</translation>
+        <translation>vérifiez si la limite se croise</translation>
     </message>
     <message>
         <source>check the coordinate system, correct this point, or split the field</source>
-        <translation>vérifier le système de coordonnées, corriger ce point ou diviser la parcelle</translation>
+        <translation>vérifiez le système de coordonnées, corrigez ce point ou divisez la parcelle</translation>
     </message>
     <message>
         <source>check the file&apos;s coordinate system</source>
-        <translation>vérifier le système de coordonnées du fichier</translation>
+        <translation>vérifiez le système de coordonnées du fichier</translation>
     </message>
     <message>
         <source>check the operating width and the overlap</source>
-        <translation>vérifier la largeur de travail et le recouvrement</translation>
+        <translation>vérifiez la largeur de travail et le recouvrement</translation>
     </message>
     <message>
         <source>check the path</source>
-        <translation>vérifier le chemin</translation>
+        <translation>vérifiez le chemin</translation>
     </message>
     <message>
         <source>choose a narrower headland or a narrower machine</source>
-        <translation>choisir une fourrière ou une machine plus étroite</translation>
+        <translation>choisissez une fourrière ou une machine plus étroite</translation>
     </message>
     <message>
         <source>choose a smaller machine or check the boundary&apos;s coordinate system</source>
-        <translation>choisir une machine plus petite ou vérifier le système de coordonnées de la limite</translation>
+        <translation>choisissez une machine plus petite ou vérifiez le système de coordonnées de la limite</translation>
     </message>
     <message>
         <source>choose another format</source>
-        <translation>choisir un autre format</translation>
+        <translation>choisissez un autre format</translation>
     </message>
     <message>
         <source>choose one by its id: %1</source>
@@ -4195,15 +4195,15 @@
     </message>
     <message>
         <source>choose one by its number in the file: %1</source>
-        <translation>en choisir une par son numéro dans le fichier : %1</translation>
+        <translation>choisissez-en une par son numéro dans le fichier : %1</translation>
     </message>
     <message>
         <source>choose the format rosbag2-mcap</source>
-        <translation>choisir le format rosbag2-mcap</translation>
+        <translation>choisissez le format rosbag2-mcap</translation>
     </message>
     <message>
         <source>close it there first</source>
-        <translation>l&apos;y fermer d&apos;abord</translation>
+        <translation>fermez-le d&apos;abord là-bas</translation>
     </message>
     <message>
         <source>contour needs heights</source>
@@ -4211,11 +4211,11 @@
     </message>
     <message>
         <source>copy or export it again</source>
-        <translation>le copier ou l&apos;exporter à nouveau</translation>
+        <translation>copiez-le ou exportez-le à nouveau</translation>
     </message>
     <message>
         <source>copy the whole folder</source>
-        <translation>copier tout le dossier</translation>
+        <translation>copiez tout le dossier</translation>
     </message>
     <message>
         <source>correct it, or remove the hole or obstacle from the file</source>
@@ -4223,7 +4223,7 @@
     </message>
     <message>
         <source>correct or delete this point in the file</source>
-        <translation>corriger ou supprimer ce point dans le fichier</translation>
+        <translation>corrigez ou supprimez ce point dans le fichier</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -4239,7 +4239,7 @@
     </message>
     <message>
         <source>cut it into the days or fields that it holds</source>
-        <translation>le découper par jours ou par parcelles</translation>
+        <translation>découpez-le par jours ou par parcelles</translation>
     </message>
     <message>
         <source>decimal commas in the place of the field were taken for points</source>
@@ -4247,11 +4247,11 @@
     </message>
     <message>
         <source>delete some of them</source>
-        <translation>en supprimer quelques-uns</translation>
+        <translation>supprimez-en quelques-uns</translation>
     </message>
     <message>
         <source>delete the hole that covers it</source>
-        <translation>supprimer l&apos;enclave qui la couvre</translation>
+        <translation>supprimez l&apos;enclave qui la couvre</translation>
     </message>
     <message>
         <source>did you mean &apos;%1&apos;?</source>
@@ -4259,19 +4259,19 @@
     </message>
     <message>
         <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
-        <translation>serait-ce « %1 » ? utiliser l&apos;une de : %2 ; ou donner un fichier de machine (.json)</translation>
+        <translation>serait-ce « %1 » ? utilisez l&apos;une de : %2 ; ou indiquez un fichier de machine (.json)</translation>
     </message>
     <message>
         <source>download the file and give its path</source>
-        <translation>télécharger le fichier et donner son chemin</translation>
+        <translation>téléchargez le fichier et indiquez son chemin</translation>
     </message>
     <message>
         <source>draw it again</source>
-        <translation>redessiner</translation>
+        <translation>redessinez</translation>
     </message>
     <message>
         <source>draw it again with at least 3 corners</source>
-        <translation>redessiner avec au moins 3 angles</translation>
+        <translation>redessinez avec au moins 3 coins</translation>
     </message>
     <message>
         <source>draw it as an area, or remove it from the file</source>
@@ -4283,7 +4283,7 @@
     </message>
     <message>
         <source>draw one or open a file that has one</source>
-        <translation>en dessiner une ou ouvrir un fichier qui en a une</translation>
+        <translation>dessinez-en une ou ouvrez un fichier qui en a une</translation>
     </message>
     <message>
         <source>draw or open one in the window first</source>
@@ -4291,39 +4291,39 @@
     </message>
     <message>
         <source>export fewer fields at once</source>
-        <translation>exporter moins de parcelles à la fois</translation>
+        <translation>exportez moins de parcelles à la fois</translation>
     </message>
     <message>
         <source>export it again</source>
-        <translation>l&apos;exporter à nouveau</translation>
+        <translation>exportez-la à nouveau</translation>
     </message>
     <message>
         <source>export it again with its coordinate system</source>
-        <translation>l&apos;exporter à nouveau avec son système de coordonnées</translation>
+        <translation>exportez-le à nouveau avec son système de coordonnées</translation>
     </message>
     <message>
         <source>export or copy it again</source>
-        <translation>l&apos;exporter ou le copier à nouveau</translation>
+        <translation>exportez-le ou copiez-le à nouveau</translation>
     </message>
     <message>
         <source>export the boundary as a polygon</source>
-        <translation>exporter la limite en polygone</translation>
+        <translation>exportez la limite comme polygone</translation>
     </message>
     <message>
         <source>export the field again in WGS84 (longitude and latitude)</source>
-        <translation>exporter à nouveau la parcelle en WGS84 (longitude et latitude)</translation>
+        <translation>exportez à nouveau la parcelle en WGS84 (longitude et latitude)</translation>
     </message>
     <message>
         <source>export the field with its boundary</source>
-        <translation>exporter la parcelle avec sa limite</translation>
+        <translation>exportez la parcelle avec sa limite</translation>
     </message>
     <message>
         <source>export the field with its boundary; furrow-cli compare reads what a machine recorded</source>
-        <translation>exporter la parcelle avec sa limite ; furrow-cli compare lit ce qu&apos;une machine a enregistré</translation>
+        <translation>exportez la parcelle avec sa limite ; furrow-cli compare lit ce qu&apos;une machine a enregistré</translation>
     </message>
     <message>
         <source>export the fields again in one coordinate system</source>
-        <translation>exportez de nouveau les parcelles dans un seul système de coordonnées</translation>
+        <translation>exportez à nouveau les parcelles dans un seul système de coordonnées</translation>
     </message>
     <message>
         <source>feature %1</source>
@@ -4331,19 +4331,19 @@
     </message>
     <message>
         <source>fewer than 3 different points enclose nothing</source>
-        <translation>moins de 3 points différents n&apos;enferment rien</translation>
+        <translation>moins de 3 points différents ne délimitent rien</translation>
     </message>
     <message>
         <source>free some space on it, or use another one</source>
-        <translation>y libérer de la place, ou en utiliser une autre</translation>
+        <translation>libérez-y de la place, ou utilisez-en une autre</translation>
     </message>
     <message>
         <source>free some space on the stick</source>
-        <translation>libérer de la place sur la clé</translation>
+        <translation>libérez de la place sur la clé</translation>
     </message>
     <message>
         <source>free some space or choose another folder</source>
-        <translation>libérer de la place ou choisir un autre dossier</translation>
+        <translation>libérez de la place ou choisissez un autre dossier</translation>
     </message>
     <message>
         <source>gate %1</source>
@@ -4351,131 +4351,131 @@
     </message>
     <message>
         <source>give %1</source>
-        <translation>donner %1</translation>
+        <translation>indiquez %1</translation>
     </message>
     <message>
         <source>give 0 m or more</source>
-        <translation>donner 0 m ou plus</translation>
+        <translation>indiquez 0 m ou plus</translation>
     </message>
     <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
-        <translation>donner un GeoJSON, un shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
+        <translation>indiquez un GeoJSON, un shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
     </message>
     <message>
         <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
-        <translation>donner un GeoTIFF, ou un fichier de calage (.pgw) à côté du PNG</translation>
+        <translation>indiquez un GeoTIFF, ou un fichier de calage (.pgw) à côté du PNG</translation>
     </message>
     <message>
         <source>give a buffer of 0 m or more</source>
-        <translation>donner une distance de 0 m ou plus</translation>
+        <translation>indiquez une distance de 0 m ou plus</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
-        <translation>indiquer un débord de 0 à 100 m</translation>
+        <translation>indiquez un débord de 0 à 100 m</translation>
     </message>
     <message>
         <source>give a curve that does not, or plan its parts apart</source>
-        <translation>donner une courbe qui ne se croise pas, ou planifier ses parties séparément</translation>
+        <translation>indiquez une courbe qui ne se croise pas, ou planifiez ses parties séparément</translation>
     </message>
     <message>
         <source>give a file on a disk</source>
-        <translation>donner un fichier sur un disque</translation>
+        <translation>indiquez un fichier sur un disque</translation>
     </message>
     <message>
         <source>give a file with a line for each row</source>
-        <translation>donner un fichier avec une ligne par rang</translation>
+        <translation>indiquez un fichier avec une ligne par rang</translation>
     </message>
     <message>
         <source>give a gate, or a point in the field</source>
-        <translation>donner une entrée, ou un point dans la parcelle</translation>
+        <translation>indiquez une entrée, ou un point dans la parcelle</translation>
     </message>
     <message>
         <source>give a gentler curve, or one without a turn back</source>
-        <translation>donner une courbe plus douce, ou sans retour en arrière</translation>
+        <translation>indiquez une courbe plus douce, ou sans retour en arrière</translation>
     </message>
     <message>
         <source>give a machine file (JSON)</source>
-        <translation>donner un fichier de machine (JSON)</translation>
+        <translation>indiquez un fichier de machine (JSON)</translation>
     </message>
     <message>
         <source>give a number</source>
-        <translation>donner un nombre</translation>
+        <translation>indiquez un nombre</translation>
     </message>
     <message>
         <source>give a number from %1 to %2</source>
-        <translation>donner un nombre de %1 à %2</translation>
+        <translation>indiquez un nombre de %1 à %2</translation>
     </message>
     <message>
         <source>give a number from 0 to %1</source>
-        <translation>donner un nombre de 0 à %1</translation>
+        <translation>indiquez un nombre de 0 à %1</translation>
     </message>
     <message>
         <source>give a number in %1</source>
-        <translation>donner un nombre en %1</translation>
+        <translation>indiquez un nombre en %1</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
-        <translation>donner une image de 100 millions de pixels au plus</translation>
+        <translation>indiquez une image de 100 millions de pixels au plus</translation>
     </message>
     <message>
         <source>give a point such as POINT (4.1 52.0)</source>
-        <translation>donner un point comme POINT (4.1 52.0)</translation>
+        <translation>indiquez un point comme POINT (4.1 52.0)</translation>
     </message>
     <message>
         <source>give a smaller margin or check the obstacles</source>
-        <translation>donner une marge plus petite ou vérifier les obstacles</translation>
+        <translation>indiquez une marge plus petite ou vérifiez les obstacles</translation>
     </message>
     <message>
         <source>give a smaller number</source>
-        <translation>donner un nombre plus petit</translation>
+        <translation>indiquez un nombre plus petit</translation>
     </message>
     <message>
         <source>give a text in quotes</source>
-        <translation>donner un texte entre guillemets</translation>
+        <translation>indiquez un texte entre guillemets</translation>
     </message>
     <message>
         <source>give a transverse Mercator with +lat_0 and +lon_0</source>
-        <translation>donner une projection de Mercator transverse avec +lat_0 et +lon_0</translation>
+        <translation>indiquez une projection de Mercator transverse avec +lat_0 et +lon_0</translation>
     </message>
     <message>
         <source>give a width of 0 m or more</source>
-        <translation>donner une largeur de 0 m ou plus</translation>
+        <translation>indiquez une largeur de 0 m ou plus</translation>
     </message>
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
-        <translation>donner un code EPSG, comme SRID=4326;POLYGON(...)</translation>
+        <translation>indiquez un code EPSG, comme SRID=4326;POLYGON(...)</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
-        <translation>donner les deux en degrés, ou retirer la ligne</translation>
+        <translation>indiquez les deux en degrés, ou retirez la ligne</translation>
     </message>
     <message>
         <source>give each point as [longitude, latitude]</source>
-        <translation>donner chaque point sous la forme [longitude, latitude]</translation>
+        <translation>indiquez chaque point sous la forme [longitude, latitude]</translation>
     </message>
     <message>
         <source>give heights as a GeoTIFF or an ASCII grid</source>
-        <translation>donner les altitudes en GeoTIFF ou en grille ASCII</translation>
+        <translation>indiquez les altitudes en GeoTIFF ou en grille ASCII</translation>
     </message>
     <message>
         <source>give heights that cover the field</source>
-        <translation>donner des altitudes qui couvrent la parcelle</translation>
+        <translation>indiquez des altitudes qui couvrent la parcelle</translation>
     </message>
     <message>
         <source>give it a kind, or remove it from the file</source>
-        <translation>donnez-lui un genre, ou retirez-le du fichier</translation>
+        <translation>indiquez son type, ou retirez-le du fichier</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, %1</source>
-        <translation>la donner en WKT en WGS84, %1</translation>
+        <translation>indiquez-la en WKT en WGS84, %1</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
-        <translation>la donner en WKT en WGS84, comme LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+        <translation>indiquez-la en WKT en WGS84, comme LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
-        <translation>le donner en WKT en WGS84, comme POINT (4.1 52.0)</translation>
+        <translation>indiquez-le en WKT en WGS84, comme POINT (4.1 52.0)</translation>
     </message>
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
@@ -4483,59 +4483,59 @@
     </message>
     <message>
         <source>give its width while it is folded</source>
-        <translation>indiquer sa largeur une fois replié</translation>
+        <translation>indiquez sa largeur une fois replié</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
-        <translation>donner moins que la largeur de travail</translation>
+        <translation>indiquez moins que la largeur de travail</translation>
     </message>
     <message>
         <source>give metres, 0 or more</source>
-        <translation>donner des mètres, 0 ou plus</translation>
+        <translation>indiquez des mètres, 0 ou plus</translation>
     </message>
     <message>
         <source>give min_turning_radius_m or max_steering_angle_deg</source>
-        <translation>donner min_turning_radius_m ou max_steering_angle_deg</translation>
+        <translation>indiquez min_turning_radius_m ou max_steering_angle_deg</translation>
     </message>
     <message>
         <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
-        <translation>donner l&apos;une de %1 ou un point comme POINT (4.1 52.0)</translation>
+        <translation>indiquez l&apos;une de %1 ou un point comme POINT (4.1 52.0)</translation>
     </message>
     <message>
         <source>give one of the files in it</source>
-        <translation>donner un des fichiers qu&apos;il contient</translation>
+        <translation>indiquez un des fichiers qu&apos;il contient</translation>
     </message>
     <message>
         <source>give operating_width_m in metres</source>
-        <translation>donner operating_width_m en mètres</translation>
+        <translation>indiquez operating_width_m en mètres</translation>
     </message>
     <message>
         <source>give the file TASKDATA.XML</source>
-        <translation>donner le fichier TASKDATA.XML</translation>
+        <translation>indiquez le fichier TASKDATA.XML</translation>
     </message>
     <message>
         <source>give the folder of a field</source>
-        <translation>donner le dossier d&apos;une parcelle</translation>
+        <translation>indiquez le dossier d&apos;une parcelle</translation>
     </message>
     <message>
         <source>give the folder of one of these, or a file in it</source>
-        <translation>donner le dossier de l&apos;un d&apos;eux, ou un fichier dedans</translation>
+        <translation>indiquez le dossier de l&apos;un d&apos;eux, ou un fichier qu&apos;il contient</translation>
     </message>
     <message>
         <source>give the folder of one recording</source>
-        <translation>donner le dossier d&apos;un enregistrement</translation>
+        <translation>indiquez le dossier d&apos;un enregistrement</translation>
     </message>
     <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
-        <translation>donner les points en degrés (WGS84), longitude dans lon et latitude dans lat</translation>
+        <translation>indiquez les points en degrés (WGS84), longitude dans lon et latitude dans lat</translation>
     </message>
     <message>
         <source>give true or false</source>
-        <translation>donner true ou false</translation>
+        <translation>indiquez true ou false</translation>
     </message>
     <message>
         <source>give two points at least 1 m apart</source>
-        <translation>donner deux points distants d&apos;au moins 1 m</translation>
+        <translation>indiquez deux points distants d&apos;au moins 1 m</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4555,7 +4555,7 @@
     </message>
     <message>
         <source>hole %1 encloses no area and was left out</source>
-        <translation>l&apos;enclave %1 n&apos;enferme aucune surface et a été laissée de côté</translation>
+        <translation>l&apos;enclave %1 ne délimite aucune surface et a été laissée de côté</translation>
     </message>
     <message>
         <source>it does not say in which coordinate system it is</source>
@@ -4635,7 +4635,7 @@
     </message>
     <message>
         <source>it may be damaged; copy or export it again</source>
-        <translation>il est peut-être endommagé ; le copier ou l&apos;exporter à nouveau</translation>
+        <translation>il est peut-être endommagé ; copiez-le ou exportez-le à nouveau</translation>
     </message>
     <message>
         <source>it names no local frame</source>
@@ -4659,19 +4659,19 @@
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; cannot be turned into WGS84</source>
-        <translation>son système de coordonnées « %1 » ne peut être converti en WGS84</translation>
+        <translation>son système de coordonnées « %1 » ne peut pas être converti en WGS84</translation>
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; is not known</source>
-        <translation>son système de coordonnées &apos;%1&apos; n&apos;est pas connu</translation>
+        <translation>son système de coordonnées « %1 » n&apos;est pas connu</translation>
     </message>
     <message>
         <source>its coordinate system cannot be turned into WGS84</source>
-        <translation>son système de coordonnées ne peut être converti en WGS84</translation>
+        <translation>son système de coordonnées ne peut pas être converti en WGS84</translation>
     </message>
     <message>
         <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
-        <translation>son système de coordonnées devrait être téléchargé depuis &apos;%1&apos;</translation>
+        <translation>son système de coordonnées devrait être téléchargé depuis « %1 »</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4679,7 +4679,7 @@
     </message>
     <message>
         <source>its heights cannot be read</source>
-        <translation>ses altitudes ne peuvent être lues</translation>
+        <translation>ses altitudes ne peuvent pas être lues</translation>
     </message>
     <message>
         <source>its holes leave nothing of it</source>
@@ -4687,11 +4687,11 @@
     </message>
     <message>
         <source>its kind &apos;%1&apos; is not known</source>
-        <translation>son genre &apos;%1&apos; n&apos;est pas connu</translation>
+        <translation>son type « %1 » n&apos;est pas connu</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
-        <translation>ses points n&apos;enferment aucune surface</translation>
+        <translation>ses points ne délimitent aucune surface</translation>
     </message>
     <message>
         <source>its width is not a length</source>
@@ -4699,15 +4699,15 @@
     </message>
     <message>
         <source>keep one of them</source>
-        <translation>en garder une</translation>
+        <translation>gardez-en une</translation>
     </message>
     <message>
         <source>keep the .shp, .shx, .dbf and .prj files together</source>
-        <translation>garder .shp, .shx, .dbf et .prj ensemble</translation>
+        <translation>gardez .shp, .shx, .dbf et .prj ensemble</translation>
     </message>
     <message>
         <source>leave it out, or give a project of the window</source>
-        <translation>omettez-le, ou donnez un projet de la fenêtre</translation>
+        <translation>omettez-le, ou indiquez un projet de la fenêtre</translation>
     </message>
     <message>
         <source>leaves the field by %1</source>
@@ -4739,39 +4739,39 @@
     </message>
     <message>
         <source>look for a missing comma, quote or brace just before it</source>
-        <translation>chercher une virgule, un guillemet ou une accolade qui manque juste avant</translation>
+        <translation>cherchez une virgule, un guillemet ou une accolade qui manque juste avant</translation>
     </message>
     <message>
         <source>move one of the points there, so that it is clear which side is field</source>
-        <translation>y déplacer un point, pour qu&apos;il soit clair de quel côté est la parcelle</translation>
+        <translation>déplacez-y un point, pour qu&apos;il soit clair de quel côté est la parcelle</translation>
     </message>
     <message>
         <source>move or delete it</source>
-        <translation>déplacer ou supprimer</translation>
+        <translation>déplacez-le ou supprimez-le</translation>
     </message>
     <message>
         <source>name a raster of heights, such as a GeoTIFF</source>
-        <translation>nommer une grille d&apos;altitudes, comme un GeoTIFF</translation>
+        <translation>indiquez une grille d&apos;altitudes, par exemple un GeoTIFF</translation>
     </message>
     <message>
         <source>name each swath once</source>
-        <translation>nommer chaque passage une fois</translation>
+        <translation>indiquez chaque passage une fois</translation>
     </message>
     <message>
         <source>name each swath once, with a minus where it is driven backwards</source>
-        <translation>nommer chaque passage une fois, avec un moins là où il est fait dans l&apos;autre sens</translation>
+        <translation>indiquez chaque passage une fois, avec un signe moins là où il est fait dans l&apos;autre sens</translation>
     </message>
     <message>
         <source>name one, such as GeoJSON with a LineString for each row</source>
-        <translation>en nommer un, comme un GeoJSON avec une LineString par rang</translation>
+        <translation>indiquez-en un, par exemple un GeoJSON avec une LineString par rang</translation>
     </message>
     <message>
         <source>name the columns in the first row</source>
-        <translation>nommer les colonnes dans la première ligne</translation>
+        <translation>nommez les colonnes dans la première ligne</translation>
     </message>
     <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
-        <translation>donner le dossier d&apos;un plan, tel que l&apos;écrit furrow-cli plan</translation>
+        <translation>indiquez le dossier d&apos;un plan, tel que l&apos;écrit furrow-cli plan</translation>
     </message>
     <message>
         <source>neither turning radius nor steering angle is given</source>
@@ -4815,15 +4815,15 @@
     </message>
     <message>
         <source>open a file of your own</source>
-        <translation>ouvrir un fichier à vous</translation>
+        <translation>ouvrez un fichier à vous</translation>
     </message>
     <message>
         <source>open it as a field boundary, or choose another file</source>
-        <translation>l&apos;ouvrir comme limite de parcelle, ou choisir un autre fichier</translation>
+        <translation>ouvrez-le comme limite de parcelle, ou choisissez un autre fichier</translation>
     </message>
     <message>
         <source>open it with a newer Furrow; the file was left as it is</source>
-        <translation>l&apos;ouvrir avec un Furrow plus récent ; le fichier est resté tel quel</translation>
+        <translation>ouvrez-le avec un Furrow plus récent ; le fichier est resté tel quel</translation>
     </message>
     <message>
         <source>opennav_coverage goal</source>
@@ -4855,7 +4855,7 @@
     </message>
     <message>
         <source>plan the field first: furrow-cli plan FIELD --out plan</source>
-        <translation>planifier d&apos;abord la parcelle : furrow-cli plan FIELD --out plan</translation>
+        <translation>planifiez d&apos;abord la parcelle : furrow-cli plan FIELD --out plan</translation>
     </message>
     <message>
         <source>points that are no gates</source>
@@ -4867,27 +4867,27 @@
     </message>
     <message>
         <source>put the EPSG code into its name, as in field_EPSG32632.dxf</source>
-        <translation>mettre le code EPSG dans son nom, comme field_EPSG32632.dxf</translation>
+        <translation>mettez le code EPSG dans son nom, comme field_EPSG32632.dxf</translation>
     </message>
     <message>
         <source>record or draw its boundary first</source>
-        <translation>enregistrer ou dessiner d&apos;abord sa limite</translation>
+        <translation>enregistrez ou dessinez d&apos;abord sa limite</translation>
     </message>
     <message>
         <source>record or export it again</source>
-        <translation>l&apos;enregistrer ou l&apos;exporter à nouveau</translation>
+        <translation>enregistrez-le ou exportez-le à nouveau</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
-        <translation>le retirer du fichier, ou ajouter sa parcelle</translation>
+        <translation>retirez-le du fichier, ou ajoutez sa parcelle</translation>
     </message>
     <message>
         <source>remove it; keys look like operating_width_m, vehicle_width_m, can_reverse</source>
-        <translation>le retirer ; les clés ressemblent à operating_width_m, vehicle_width_m, can_reverse</translation>
+        <translation>retirez-le ; les clés ressemblent à operating_width_m, vehicle_width_m, can_reverse</translation>
     </message>
     <message>
         <source>restore a copy of the file</source>
-        <translation>restaurer une copie du fichier</translation>
+        <translation>restaurez une copie du fichier</translation>
     </message>
     <message>
         <source>rings that overlap each other were joined</source>
@@ -4895,7 +4895,7 @@
     </message>
     <message>
         <source>rings with fewer than three corners</source>
-        <translation>contours de moins de trois angles</translation>
+        <translation>contours de moins de trois coins</translation>
     </message>
     <message>
         <source>rows needs a file of lines</source>
@@ -4903,19 +4903,19 @@
     </message>
     <message>
         <source>save it again in WGS84</source>
-        <translation>l&apos;enregistrer à nouveau en WGS84</translation>
+        <translation>enregistrez-la à nouveau en WGS84</translation>
     </message>
     <message>
         <source>save it as GeoTIFF, or with a world file in degrees</source>
-        <translation>l&apos;enregistrer en GeoTIFF, ou avec un fichier de calage en degrés</translation>
+        <translation>enregistrez-la en GeoTIFF, ou avec un fichier de calage en degrés</translation>
     </message>
     <message>
         <source>save the field again, or remove this file</source>
-        <translation>enregistrer la parcelle à nouveau ou retirer ce fichier</translation>
+        <translation>enregistrez à nouveau la parcelle ou retirez ce fichier</translation>
     </message>
     <message>
         <source>save the project, and free some space</source>
-        <translation>enregistrer le projet et libérer de la place</translation>
+        <translation>enregistrez le projet et libérez de la place</translation>
     </message>
     <message>
         <source>say how far to keep from it (buffer_m), or draw its outline</source>
@@ -4927,11 +4927,11 @@
     </message>
     <message>
         <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation>plusieurs plans de &apos;%1&apos; s&apos;appellent &apos;%2&apos;</translation>
+        <translation>plusieurs plans de « %1 » s&apos;appellent « %2 »</translation>
     </message>
     <message>
         <source>simplify it to at most a million</source>
-        <translation>la simplifier à un million au plus</translation>
+        <translation>simplifiez-la à un million au plus</translation>
     </message>
     <message>
         <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
@@ -4955,11 +4955,11 @@
     </message>
     <message>
         <source>take off its write protection, or use another one</source>
-        <translation>ôter la protection, ou utiliser une autre clé</translation>
+        <translation>ôtez la protection, ou utilisez une autre clé</translation>
     </message>
     <message>
         <source>take off the write protection of the stick</source>
-        <translation>ôter la protection en écriture de la clé</translation>
+        <translation>ôtez la protection en écriture de la clé</translation>
     </message>
     <message>
         <source>the .shx file that belongs to it is missing</source>
@@ -5003,7 +5003,7 @@
     </message>
     <message>
         <source>the end</source>
-        <translation>fin</translation>
+        <translation>arrivée</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; has no boundary</source>
@@ -5011,7 +5011,7 @@
     </message>
     <message>
         <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
-        <translation>la parcelle &apos;%1&apos; n&apos;a pas de plan &apos;%2&apos;</translation>
+        <translation>la parcelle « %1 » n&apos;a pas de plan « %2 »</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -5067,11 +5067,11 @@
     </message>
     <message>
         <source>the file may be cut off or damaged; copy or export it again</source>
-        <translation>le fichier est peut-être coupé ou endommagé ; le copier ou l&apos;exporter à nouveau</translation>
+        <translation>le fichier est peut-être coupé ou endommagé ; copiez-le ou exportez-le à nouveau</translation>
     </message>
     <message>
         <source>the file may be cut off or damaged; export it again</source>
-        <translation>le fichier est peut-être coupé ou endommagé ; l&apos;exporter à nouveau</translation>
+        <translation>le fichier est peut-être coupé ou endommagé ; exportez-le à nouveau</translation>
     </message>
     <message>
         <source>the folder or zip cannot be read</source>
@@ -5171,11 +5171,11 @@
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
-        <translation>l&apos;enregistrement ne peut être créé : %1</translation>
+        <translation>l&apos;enregistrement ne peut pas être créé : %1</translation>
     </message>
     <message>
         <source>the sample field cannot be read</source>
-        <translation>la parcelle d’exemple ne peut pas être lue</translation>
+        <translation>la parcelle d&apos;exemple ne peut pas être lue</translation>
     </message>
     <message>
         <source>the shape could not be computed with (%1)</source>
@@ -5195,7 +5195,7 @@
     </message>
     <message>
         <source>the stick is damaged: use another one</source>
-        <translation>la clé est endommagée : en utiliser une autre</translation>
+        <translation>la clé est endommagée : utilisez-en une autre</translation>
     </message>
     <message>
         <source>the stick is write-protected</source>
@@ -5211,11 +5211,11 @@
     </message>
     <message>
         <source>the transfer after %1</source>
-        <translation>le trajet après %1</translation>
+        <translation>le déplacement après %1</translation>
     </message>
     <message>
         <source>the transfer at %1</source>
-        <translation>le trajet à %1</translation>
+        <translation>le déplacement à %1</translation>
     </message>
     <message>
         <source>the turn after %1</source>
@@ -5227,11 +5227,11 @@
     </message>
     <message>
         <source>the way to refill</source>
-        <translation>le trajet de remplissage</translation>
+        <translation>le déplacement pour remplir</translation>
     </message>
     <message>
         <source>the zip cannot be made: %1</source>
-        <translation>le zip ne peut être créé : %1</translation>
+        <translation>le zip ne peut pas être créé : %1</translation>
     </message>
     <message>
         <source>there is no &apos;%1&apos;</source>
@@ -5263,7 +5263,7 @@
     </message>
     <message>
         <source>there is no field &apos;%1&apos; in the project</source>
-        <translation>il n&apos;y a pas de parcelle &apos;%1&apos; dans le projet</translation>
+        <translation>il n&apos;y a pas de parcelle « %1 » dans le projet</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>
@@ -5387,7 +5387,7 @@
     </message>
     <message>
         <source>try another stick</source>
-        <translation>essayer une autre clé</translation>
+        <translation>essayez une autre clé</translation>
     </message>
     <message>
         <source>two points</source>
@@ -5395,27 +5395,27 @@
     </message>
     <message>
         <source>use another terminal&apos;s format, and report this</source>
-        <translation>utiliser le format d&apos;une autre console, et le signaler</translation>
+        <translation>utilisez le format d&apos;une autre console, et signalez-le</translation>
     </message>
     <message>
         <source>use one of: %1</source>
-        <translation>utiliser l&apos;un de : %1</translation>
+        <translation>utilisez l&apos;un de : %1</translation>
     </message>
     <message>
         <source>use one of: %1; or give a machine file (.json)</source>
-        <translation>utiliser l&apos;une de : %1 ; ou donner un fichier de machine (.json)</translation>
+        <translation>utilisez l&apos;une de : %1 ; ou indiquez un fichier de machine (.json)</translation>
     </message>
     <message>
         <source>use one or more of: %1</source>
-        <translation>utiliser un ou plusieurs de : %1</translation>
+        <translation>utilisez un ou plusieurs de : %1</translation>
     </message>
     <message>
         <source>use the numbers from 1 to %1</source>
-        <translation>utiliser les numéros de 1 à %1</translation>
+        <translation>utilisez les numéros de 1 à %1</translation>
     </message>
     <message>
         <source>was it pulled out? Plug it in again and write once more</source>
-        <translation>a-t-elle été retirée ? La rebrancher et écrire encore une fois</translation>
+        <translation>a-t-elle été retirée ? Rebranchez-la et écrivez encore une fois</translation>
     </message>
     <message>
         <source>what is on the stick is not the plan: %1</source>
@@ -5431,23 +5431,23 @@
     </message>
     <message>
         <source>write POLYGON((lon lat, lon lat, ...))</source>
-        <translation>écrire POLYGON((lon lat, lon lat, ...))</translation>
+        <translation>écrivez POLYGON((lon lat, lon lat, ...))</translation>
     </message>
     <message>
         <source>write POLYGON((lon lat, lon lat, ...)), one polygon a line</source>
-        <translation>écrire POLYGON((lon lat, lon lat, ...)), un polygone par ligne</translation>
+        <translation>écrivez POLYGON((lon lat, lon lat, ...)), un polygone par ligne</translation>
     </message>
     <message>
         <source>write it like LINESTRING (4.1 52.0, 4.2 52.0)</source>
-        <translation>l&apos;écrire comme LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+        <translation>écrivez-le comme LINESTRING (4.1 52.0, 4.2 52.0)</translation>
     </message>
     <message>
         <source>write the plan again with furrow-cli plan</source>
-        <translation>écrire à nouveau le plan avec furrow-cli plan</translation>
+        <translation>écrivez à nouveau le plan avec furrow-cli plan</translation>
     </message>
     <message>
         <source>write {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</source>
-        <translation>écrire {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
+        <translation>écrivez {&quot;name&quot;: ..., &quot;operating_width_m&quot;: ...}</translation>
     </message>
     <message>
         <source>a part of it cannot be read</source>
@@ -5471,23 +5471,23 @@
     </message>
     <message>
         <source>copy or export the file again</source>
-        <translation>copiez ou exportez de nouveau le fichier</translation>
+        <translation>copiez ou exportez à nouveau le fichier</translation>
     </message>
     <message>
         <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
-        <translation>donnez un GeoTIFF, un MBTiles ou un dossier de tuiles</translation>
+        <translation>indiquez un GeoTIFF, un MBTiles ou un dossier de tuiles</translation>
     </message>
     <message>
         <source>give a GeoTIFF, or export it again with its coordinate system</source>
-        <translation>donnez un GeoTIFF ou exportez-la de nouveau avec son système de coordonnées</translation>
+        <translation>indiquez un GeoTIFF ou exportez-la à nouveau avec son système de coordonnées</translation>
     </message>
     <message>
         <source>it is damaged, or no picture that Furrow can show</source>
-        <translation>il est endommagé, ou ce n’est pas une image que Furrow peut afficher</translation>
+        <translation>il est endommagé, ou ce n&apos;est pas une image que Furrow peut afficher</translation>
     </message>
     <message>
         <source>it is no file</source>
-        <translation>ce n’est pas un fichier</translation>
+        <translation>ce n&apos;est pas un fichier</translation>
     </message>
     <message>
         <source>it is too large to be shown without overviews</source>
@@ -5503,11 +5503,11 @@
     </message>
     <message>
         <source>make them again with the profile mercator, or give the raster itself</source>
-        <translation>refaites-les avec le profil mercator ou donnez le raster lui-même</translation>
+        <translation>refaites-les avec le profil mercator ou indiquez le raster lui-même</translation>
     </message>
     <message>
         <source>open it again</source>
-        <translation>ouvrez-le de nouveau</translation>
+        <translation>ouvrez-le à nouveau</translation>
     </message>
     <message>
         <source>put it back, or choose another one</source>
@@ -5523,23 +5523,23 @@
     </message>
     <message>
         <source>the file cannot be read any more</source>
-        <translation>le fichier n’est plus lisible</translation>
+        <translation>le fichier n&apos;est plus lisible</translation>
     </message>
     <message>
         <source>the file is not there any more</source>
-        <translation>le fichier n’est plus là</translation>
+        <translation>le fichier n&apos;est plus là</translation>
     </message>
     <message>
         <source>the file was changed while it was open</source>
-        <translation>le fichier a été modifié pendant qu’il était ouvert</translation>
+        <translation>le fichier a été modifié pendant qu&apos;il était ouvert</translation>
     </message>
     <message>
         <source>the folder is not there any more</source>
-        <translation>le dossier n’est plus là</translation>
+        <translation>le dossier n&apos;est plus là</translation>
     </message>
     <message>
         <source>there are no tiles in this folder</source>
-        <translation>il n’y a pas de tuiles dans ce dossier</translation>
+        <translation>il n&apos;y a pas de tuiles dans ce dossier</translation>
     </message>
     <message>
         <source>there is no picture in it</source>
@@ -5547,11 +5547,11 @@
     </message>
     <message>
         <source>there is no such file or folder</source>
-        <translation>ce fichier ou ce dossier n’existe pas</translation>
+        <translation>ce fichier ou ce dossier n&apos;existe pas</translation>
     </message>
     <message>
         <source>Receivers may refuse %1: %2.</source>
-        <translation>Des récepteurs pourraient refuser %1 : %2.</translation>
+        <translation>Certaines consoles pourraient refuser %1 : %2.</translation>
     </message>
     <message>
         <source>some systems do not allow a file of this name</source>
@@ -5567,15 +5567,15 @@
     </message>
     <message>
         <source>a ring of &apos;%1&apos; has fewer than three corners</source>
-        <translation>un anneau de « %1 » a moins de trois sommets</translation>
+        <translation>un contour de « %1 » a moins de trois coins</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; does not end where it begins</source>
-        <translation>un anneau de « %1 » ne finit pas où il commence</translation>
+        <translation>un contour de « %1 » ne finit pas là où il commence</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; ends with its first point again</source>
-        <translation>un anneau de « %1 » répète à la fin son premier point</translation>
+        <translation>un contour de « %1 » répète à la fin son premier point</translation>
     </message>
     <message>
         <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
@@ -5583,7 +5583,7 @@
     </message>
     <message>
         <source>a ring of &apos;%1&apos; runs the wrong way round</source>
-        <translation>un anneau de « %1 » tourne dans le mauvais sens</translation>
+        <translation>un contour de « %1 » tourne dans le mauvais sens</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is said to have %2, and has %3</source>
@@ -5647,7 +5647,7 @@
     </message>
     <message>
         <source>place %1 of the path is not where the plan goes next</source>
-        <translation>l&apos;endroit %1 du trajet n&apos;est pas où le plan continue</translation>
+        <translation>le point %1 du trajet n&apos;est pas là où le plan continue</translation>
     </message>
     <message>
         <source>the path does not begin and end as the plan does</source>
@@ -5659,7 +5659,7 @@
     </message>
     <message>
         <source>the time of place %1 of the path is before that of the place before</source>
-        <translation>l&apos;heure de l&apos;endroit %1 du trajet précède celle de l&apos;endroit d&apos;avant</translation>
+        <translation>l&apos;heure du point %1 du trajet précède celle du point d&apos;avant</translation>
     </message>
     <message>
         <source>the times of the path stand still</source>
@@ -5667,11 +5667,11 @@
     </message>
     <message>
         <source>the heading at place %1 of the path does not point along it</source>
-        <translation>le cap à l&apos;endroit %1 du trajet ne le suit pas</translation>
+        <translation>le cap au point %1 du trajet ne le suit pas</translation>
     </message>
     <message>
         <source>the speed at place %1 of the path is negative</source>
-        <translation>la vitesse à l&apos;endroit %1 du trajet est négative</translation>
+        <translation>la vitesse au point %1 du trajet est négative</translation>
     </message>
     <message>
         <source>its largest speed is %1, not %2</source>
@@ -5679,11 +5679,11 @@
     </message>
     <message>
         <source>line %1 is not as this format has it</source>
-        <translation>la ligne %1 n&apos;est pas comme ce format la veut</translation>
+        <translation>la ligne %1 n&apos;est pas conforme à ce format</translation>
     </message>
     <message>
         <source>this is no %1</source>
-        <translation>ce n&apos;est pas un %1</translation>
+        <translation>ce n&apos;est pas un fichier %1</translation>
     </message>
     <message>
         <source>its content cannot be read</source>
@@ -5723,7 +5723,7 @@
     </message>
     <message>
         <source>the headings of a ring do not point along it</source>
-        <translation>les caps d&apos;un anneau ne le suivent pas</translation>
+        <translation>les caps d&apos;un contour ne le suivent pas</translation>
     </message>
     <message>
         <source>its shapes have heights or measures, which displays do not read</source>
@@ -5735,7 +5735,7 @@
     </message>
     <message>
         <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
-        <translation>donnez la limite de la parcelle ; furrow-cli compare superpose un enregistrement à un plan</translation>
+        <translation>indiquez la limite de la parcelle ; furrow-cli compare superpose un enregistrement à un plan</translation>
     </message>
     <message>
         <source>Raster mask</source>
@@ -5794,7 +5794,7 @@
     </message>
     <message>
         <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
-        <translation>Les passages plus courts sont laissés de côté ; automatique : la longueur de l&apos;outil.</translation>
+        <translation>Les passages plus courts sont laissés de côté ; auto : la longueur de l&apos;outil.</translation>
     </message>
     <message>
         <source>Prefer edges within (%)</source>
@@ -5802,7 +5802,7 @@
     </message>
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
-        <translation>Les passages suivent le plus long côté de la parcelle, ou un autre long, là où cela ne coûte pas plus que cela de plus que la meilleure orientation ; 0 prend la meilleure, quelle qu&apos;elle soit.</translation>
+        <translation>Les passages suivent le plus long côté de la parcelle, ou un autre long côté, tant que cela ne dépasse pas la meilleure orientation de plus que cette valeur ; 0 prend la meilleure, quelle qu&apos;elle soit.</translation>
     </message>
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
@@ -5829,7 +5829,7 @@
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
-        <translation>Planifiez séparément les côtés de l’obstacle.</translation>
+        <translation>Planifiez séparément les côtés de l&apos;obstacle.</translation>
     </message>
     <message>
         <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
@@ -5837,7 +5837,7 @@
     </message>
     <message>
         <source>Swaths along the longest edge</source>
-        <translation>Les passages le long du bord le plus long</translation>
+        <translation>Les passages le long du plus long côté</translation>
     </message>
     <message>
         <source>Swaths at a bearing of %1</source>
@@ -5857,7 +5857,7 @@
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
-        <translation>donnez l’un des deux, ou une largeur qui contient juste ces tours</translation>
+        <translation>indiquez l&apos;un des deux, ou une largeur qui contient juste ces tours</translation>
     </message>
     <message>
         <source>headland.width_m and headland.passes do not agree</source>
@@ -5877,15 +5877,15 @@
     </message>
     <message>
         <source>%1 are planned instead of the heading with the best estimate: %2</source>
-        <translation>%1 sont planifiés au lieu de la direction à la meilleure estimation : %2</translation>
+        <translation>%1 sont planifiés au lieu de l&apos;orientation la mieux estimée : %2</translation>
     </message>
     <message>
         <source>it has fewer problems</source>
-        <translation>moins d’obstacles s’y opposent</translation>
+        <translation>il y a moins de problèmes</translation>
     </message>
     <message>
         <source>it is %1 s quicker</source>
-        <translation>c’est plus rapide de %1 s</translation>
+        <translation>c&apos;est plus rapide de %1 s</translation>
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>
@@ -5897,7 +5897,7 @@
     </message>
     <message>
         <source>Without a headland (%1) there is no room to turn.</source>
-        <translation>Sans fourrière (%1), il n’y a pas la place de tourner.</translation>
+        <translation>Sans fourrière (%1), il n&apos;y a pas la place de tourner.</translation>
     </message>
     <message>
         <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
@@ -5905,7 +5905,7 @@
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
-        <translation>La parcelle est trop étroite pour tourner avec cette machine : prenez une machine plus petite, ou faites courir les passages le long de la parcelle (%1).</translation>
+        <translation>La parcelle est trop étroite pour tourner avec cette machine : prenez une machine plus petite, ou orientez les passages dans la longueur de la parcelle (%1).</translation>
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine or a smaller margin (%1).</source>
@@ -5913,11 +5913,11 @@
     </message>
     <message>
         <source>No passes are driven in the headland (%1).</source>
-        <translation>Aucun tour n’est fait dans la fourrière (%1).</translation>
+        <translation>Aucun tour n&apos;est fait dans la fourrière (%1).</translation>
     </message>
     <message>
         <source>The chosen swaths (%1) do not reach it.</source>
-        <translation>Les passages choisis (%1) n’y arrivent pas.</translation>
+        <translation>Les passages choisis (%1) n&apos;y arrivent pas.</translation>
     </message>
     <message>
         <source>Land that is left is not finished if the machine may leave the field (%1).</source>
@@ -5925,7 +5925,7 @@
     </message>
     <message>
         <source>Land that is left is not finished, because that is switched off (%1).</source>
-        <translation>Les restes ne sont pas repris (%1).</translation>
+        <translation>Les restes ne sont pas repris, car c&apos;est désactivé (%1).</translation>
     </message>
     <message>
         <source>choose a smaller machine or a smaller margin (%1)</source>
@@ -5957,7 +5957,7 @@
     </message>
     <message>
         <source>A headland of %1 is planned instead of one that is wide enough for turns: %2</source>
-        <translation>Une fourrière de %1 est planifiée au lieu d’une fourrière assez large pour tourner : %2</translation>
+        <translation>Une fourrière de %1 est planifiée au lieu d&apos;une fourrière assez large pour tourner : %2</translation>
     </message>
     <message>
         <source>Drive more slowly there, or plan again.</source>
@@ -5965,15 +5965,15 @@
     </message>
     <message>
         <source>The steering is too slow for the planned speed in %1; %2 is the worst and would need %3.</source>
-        <translation>La direction est trop lente pour la vitesse prévue à %1 ; le pire est %2, qui demanderait %3.</translation>
+        <translation>Le braquage est trop lent pour la vitesse prévue à %1 ; le pire est %2, qui demanderait %3.</translation>
     </message>
     <message>
         <source>The implement is folded on the way from %1 to %2.</source>
-        <translation>L’outil est replié sur ce trajet : %1 → %2.</translation>
+        <translation>L&apos;outil est replié sur ce déplacement : %1 → %2.</translation>
     </message>
     <message>
         <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
-        <translation>La machine doit rester à l’arrêt %1 s pour replier ou déplier son outil ; elle ne le fait pas à %2.</translation>
+        <translation>La machine doit rester à l&apos;arrêt %1 s pour replier ou déplier son outil ; elle ne le fait pas à %2.</translation>
     </message>
     <message>
         <source>Time to fold</source>
@@ -5981,7 +5981,7 @@
     </message>
     <message>
         <source>To fold to the transport width, standing; the same again to unfold.</source>
-        <translation>Pour replier à la largeur de transport, à l’arrêt ; autant pour déplier.</translation>
+        <translation>Pour replier à la largeur de transport, à l&apos;arrêt ; autant pour déplier.</translation>
     </message>
     <message>
         <source>Fuel</source>
@@ -5997,15 +5997,15 @@
     </message>
     <message>
         <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
-        <translation>Le moins de carburant pour les demi-tours et trajets ; le moins de temps si la machine n’a pas de valeurs de consommation.</translation>
+        <translation>Le moins de carburant pour les demi-tours et les déplacements ; le moins de temps si la machine n&apos;a pas de valeurs de consommation.</translation>
     </message>
     <message>
         <source>The least time for turns and ways.</source>
-        <translation>Le moins de temps pour les demi-tours et trajets.</translation>
+        <translation>Le moins de temps pour les demi-tours et les déplacements.</translation>
     </message>
     <message>
         <source>The shortest turns and ways.</source>
-        <translation>Les demi-tours et trajets les plus courts.</translation>
+        <translation>Les demi-tours et déplacements les plus courts.</translation>
     </message>
     <message>
         <source>Time</source>
@@ -6013,11 +6013,11 @@
     </message>
     <message>
         <source>What the order of the swaths is to save.</source>
-        <translation>Ce que l’ordre des passages doit économiser.</translation>
+        <translation>Ce que l&apos;ordre des passages doit économiser.</translation>
     </message>
     <message>
         <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
-        <translation>Tous les motifs sont essayés et améliorés ; le plan dit à quel point l’ordre est proche du meilleur.</translation>
+        <translation>Tous les schémas sont essayés et améliorés ; le plan dit à quel point l&apos;ordre est proche du meilleur.</translation>
     </message>
     <message>
         <source>Locked</source>
@@ -6025,7 +6025,7 @@
     </message>
     <message>
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
-        <translation>Numéros de passages qui se suivent dans cet ordre ; un moins en parcourt un dans l’autre sens. L’ordre des autres est cherché.</translation>
+        <translation>Numéros de passages qui se suivent dans cet ordre ; un signe moins inverse le sens. L&apos;ordre des autres est cherché.</translation>
     </message>
     <message>
         <source>Ends of swaths</source>
@@ -6061,7 +6061,7 @@
     </message>
     <message>
         <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
-        <translation>Nombre maximal de bandes laissées entre des passages faits pour plus tard. Avec 0 la machine ne revient jamais à un vide, et une autre peut la suivre ; « auto » ne met pas de limite.</translation>
+        <translation>Nombre maximal de bandes laissées pour plus tard entre des passages faits. Avec 0, la machine ne revient jamais dans un vide, et une autre peut la suivre ; « auto » ne met pas de limite.</translation>
     </message>
     <message>
         <source>Open strips</source>
@@ -6069,11 +6069,11 @@
     </message>
     <message>
         <source>The number of the swath that is driven first; auto takes any.</source>
-        <translation>Le numéro du passage fait en premier ; « auto » en prend un quelconque.</translation>
+        <translation>Le numéro du passage fait en premier ; « auto » laisse le choix libre.</translation>
     </message>
     <message>
         <source>The number of the swath that is driven last; auto takes any.</source>
-        <translation>Le numéro du passage fait en dernier ; « auto » en prend un quelconque.</translation>
+        <translation>Le numéro du passage fait en dernier ; « auto » laisse le choix libre.</translation>
     </message>
     <message>
         <source>allow more open strips, or lock fewer swaths</source>
@@ -6081,11 +6081,11 @@
     </message>
     <message>
         <source>name another swath for the end</source>
-        <translation>nommez un autre passage pour la fin</translation>
+        <translation>indiquez un autre passage pour la fin</translation>
     </message>
     <message>
         <source>no order was found that keeps to all that is said of the order of swaths</source>
-        <translation>aucun ordre trouvé ne respecte tout ce qui est dit de l’ordre des passages</translation>
+        <translation>aucun ordre trouvé ne respecte tout ce qui est dit de l&apos;ordre des passages</translation>
     </message>
     <message>
         <source>swath %1 is driven first</source>
@@ -6097,7 +6097,7 @@
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
-        <translation>%1 coûte %2 de plus que le plus long bord (%3)</translation>
+        <translation>%1 coûte %2 de plus que le plus long côté (%3)</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
@@ -6105,7 +6105,7 @@
     </message>
     <message>
         <source>%1 is as quick as the longest edge (%2)</source>
-        <translation>%1 est aussi rapide que le plus long bord (%2)</translation>
+        <translation>%1 est aussi rapide que le plus long côté (%2)</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -6121,11 +6121,11 @@
     </message>
     <message>
         <source>%1 runs along the longest edge</source>
-        <translation>%1 longe le plus long bord</translation>
+        <translation>%1 longe le plus long côté</translation>
     </message>
     <message>
         <source>%1 saves %2 against the longest edge (%3)</source>
-        <translation>%1 gagne %2 par rapport au plus long bord (%3)</translation>
+        <translation>%1 fait gagner %2 par rapport au plus long côté (%3)</translation>
     </message>
     <message>
         <source>%1 × %2, %3 each</source>
@@ -6174,15 +6174,15 @@
     </message>
     <message>
         <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
-        <translation>Coupé en %1 morceaux là où les passages s’interrompent, réunis en %2.</translation>
+        <translation>Coupé en %1 morceaux là où les passages s&apos;interrompent, réunis en %2.</translation>
     </message>
     <message>
         <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
-        <translation>Coupé en %1 morceaux là où les passages s’interrompent ; les réunir en %2 fait gagner %3 de demi-tours et de trajets.</translation>
+        <translation>Coupé en %1 morceaux là où les passages s&apos;interrompent ; les réunir en %2 fait gagner %3 de demi-tours et de déplacements.</translation>
     </message>
     <message>
         <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
-        <translation>Les bords longés par les passages reçoivent %1, ceux où ils finissent jusqu’à %2 : un demi-tour de cette machine demande %3.</translation>
+        <translation>Les côtés longés par les passages reçoivent %1, ceux où ils finissent jusqu&apos;à %2 : un demi-tour de cette machine demande %3.</translation>
     </message>
     <message>
         <source>Everything keeps %1 from the boundary, as chosen.</source>
@@ -6190,29 +6190,29 @@
     </message>
     <message>
         <source>Everything keeps %1 from the boundary: no more is known of where it runs.</source>
-        <translation>Tout reste à %1 de la limite : on n’en connaît pas mieux le tracé.</translation>
+        <translation>Tout reste à %1 de la limite : on n&apos;en connaît pas mieux le tracé.</translation>
     </message>
     <message numerus="yes">
         <source>No heading has fewer than %n swaths.</source>
         <translation>
-            <numerusform>Aucune orientation n’a moins de %n passage.</numerusform>
-            <numerusform>Aucune orientation n’a moins de %n passages.</numerusform>
+            <numerusform>Aucune orientation n&apos;a moins de %n passage.</numerusform>
+            <numerusform>Aucune orientation n&apos;a moins de %n passages.</numerusform>
         </translation>
     </message>
     <message>
         <source>No heading that was tried covers more: %1 inside the headland.</source>
-        <translation>Aucune orientation essayée ne couvre plus : %1 à l’intérieur de la fourrière.</translation>
+        <translation>Aucune orientation essayée ne travaille plus de surface : %1 du plein champ.</translation>
     </message>
     <message numerus="yes">
         <source>No heading that was tried has fewer than %n swaths.</source>
         <translation>
-            <numerusform>Aucune orientation essayée n’a moins de %n passage.</numerusform>
-            <numerusform>Aucune orientation essayée n’a moins de %n passages.</numerusform>
+            <numerusform>Aucune orientation essayée n&apos;a moins de %n passage.</numerusform>
+            <numerusform>Aucune orientation essayée n&apos;a moins de %n passages.</numerusform>
         </translation>
     </message>
     <message>
         <source>No heading that was tried has shorter swaths: %1.</source>
-        <translation>Aucune orientation essayée n’a des passages plus courts : %1.</translation>
+        <translation>Aucune orientation essayée n&apos;a des passages plus courts : %1.</translation>
     </message>
     <message>
         <source>No heading that was tried works less land twice: %1.</source>
@@ -6220,11 +6220,11 @@
     </message>
     <message>
         <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
-        <translation>Aucun ordre de ces passages ne peut gagner plus de %1 des demi-tours, ou %2 du tout.</translation>
+        <translation>Aucun ordre de ces passages ne peut faire gagner plus de %1 des demi-tours, ou %2 du total.</translation>
     </message>
     <message>
         <source>No order of these swaths is better; that is proved.</source>
-        <translation>Aucun ordre de ces passages n’est meilleur ; c’est prouvé.</translation>
+        <translation>Aucun ordre de ces passages n&apos;est meilleur ; c&apos;est prouvé.</translation>
     </message>
     <message>
         <source>Nothing divides the swaths: one block.</source>
@@ -6247,7 +6247,7 @@
     </message>
     <message>
         <source>The longest way without work, %1, follows %2.</source>
-        <translation>Le plus long trajet sans travail, %1, suit %2.</translation>
+        <translation>Le plus long déplacement sans travail, %1, suit %2.</translation>
     </message>
     <message>
         <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
@@ -6255,19 +6255,19 @@
     </message>
     <message>
         <source>Turns take %1 less than with the pattern “%2” (%3).</source>
-        <translation>Les demi-tours coûtent %1 de moins qu’avec le motif « %2 » (%3).</translation>
+        <translation>Les demi-tours coûtent %1 de moins qu&apos;avec le schéma « %2 » (%3).</translation>
     </message>
     <message>
         <source>Turns take %1 more than with the pattern “%2” (%3).</source>
-        <translation>Les demi-tours coûtent %1 de plus qu’avec le motif « %2 » (%3).</translation>
+        <translation>Les demi-tours coûtent %1 de plus qu&apos;avec le schéma « %2 » (%3).</translation>
     </message>
     <message>
         <source>Turns take about as much as with the pattern “%1”.</source>
-        <translation>Les demi-tours coûtent à peu près autant qu’avec le motif « %1 ».</translation>
+        <translation>Les demi-tours coûtent à peu près autant qu&apos;avec le schéma « %1 ».</translation>
     </message>
     <message>
         <source>a member that every plan has is missing or of another kind</source>
-        <translation>il manque un élément que tout plan possède, ou il est d’un autre type</translation>
+        <translation>il manque un élément que tout plan possède, ou il est d&apos;un autre type</translation>
     </message>
     <message>
         <source>a work order is a JSON object, and this is none</source>
@@ -6275,7 +6275,7 @@
     </message>
     <message>
         <source>bulb turn</source>
-        <translation>demi-tour en poire</translation>
+        <translation>demi-tour en oméga</translation>
     </message>
     <message>
         <source>by this estimate %1 would save %2</source>
@@ -6295,15 +6295,15 @@
     </message>
     <message>
         <source>no heading is quicker</source>
-        <translation>aucune orientation n’est plus rapide</translation>
+        <translation>aucune orientation n&apos;est plus rapide</translation>
     </message>
     <message>
         <source>no plan of this project was sent for this review</source>
-        <translation>aucun plan de ce projet n’a été envoyé pour cette relecture</translation>
+        <translation>aucun plan de ce projet n&apos;a été envoyé pour cette relecture</translation>
     </message>
     <message>
         <source>open the project that the plan was sent from, or open the file by itself</source>
-        <translation>ouvrez le projet d’où vient le plan, ou le fichier seul</translation>
+        <translation>ouvrez le projet d&apos;où vient le plan, ou le fichier seul</translation>
     </message>
     <message>
         <source>put it in quotation marks</source>
@@ -6319,11 +6319,11 @@
     </message>
     <message>
         <source>there is no way to drive</source>
-        <translation>il n’y a pas de trajet</translation>
+        <translation>il n&apos;y a aucun chemin possible</translation>
     </message>
     <message>
         <source>turn on the spot</source>
-        <translation>rotation sur place</translation>
+        <translation>demi-tour sur place</translation>
     </message>
     <message>
         <source>turn with reversing</source>
@@ -6331,7 +6331,7 @@
     </message>
     <message>
         <source>way straight on</source>
-        <translation>trajet tout droit</translation>
+        <translation>déplacement tout droit</translation>
     </message>
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
@@ -6343,7 +6343,7 @@
     </message>
     <message>
         <source>%1 is beyond what machines have</source>
-        <translation>%1 dépasse ce qu’ont les machines</translation>
+        <translation>%1 dépasse ce qu&apos;ont les machines</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in it is a view</source>
@@ -6351,15 +6351,15 @@
     </message>
     <message>
         <source>a text with fields may take %1 MiB, and this one takes more</source>
-        <translation>un texte avec des parcelles peut prendre %1 Mio, et celui-ci en prend plus</translation>
+        <translation>un texte avec des parcelles peut occuper %1 Mio, et celui-ci en occupe plus</translation>
     </message>
     <message>
         <source>a value in it is not of the kind that belongs there</source>
-        <translation>une valeur n’est pas du type attendu à cet endroit</translation>
+        <translation>une valeur n&apos;est pas du type attendu à cet endroit</translation>
     </message>
     <message>
         <source>correct one of them, or give min_turning_radius_m</source>
-        <translation>corrigez l’un des deux ou indiquez min_turning_radius_m</translation>
+        <translation>corrigez l&apos;un des deux ou indiquez min_turning_radius_m</translation>
     </message>
     <message>
         <source>cut it into parts, or export it as a GeoPackage</source>
@@ -6387,15 +6387,15 @@
     </message>
     <message>
         <source>remove what does not belong there</source>
-        <translation>retirez ce qui n’a pas sa place ici</translation>
+        <translation>retirez ce qui n&apos;a pas sa place ici</translation>
     </message>
     <message>
         <source>the file is far too large for what it should hold</source>
-        <translation>le fichier est bien trop grand pour ce qu’il devrait contenir</translation>
+        <translation>le fichier est bien trop grand pour ce qu&apos;il devrait contenir</translation>
     </message>
     <message>
         <source>unpack it and give one of its files</source>
-        <translation>décompressez-le et indiquez un de ses fichiers</translation>
+        <translation>décompressez-le et indiquez l&apos;un de ses fichiers</translation>
     </message>
     <message>
         <source>with this wheelbase, %1 give a turning radius of %2</source>
@@ -6445,7 +6445,7 @@
     </message>
     <message>
         <source>Plan again</source>
-        <translation>Replanifier</translation>
+        <translation>Planifier à nouveau</translation>
     </message>
     <message numerus="yes">
         <source>%n problem(s) in this plan: it cannot be driven as drawn. The pages say so too.</source>
@@ -6572,7 +6572,7 @@
     <name>RecentList</name>
     <message>
         <source>Open recent</source>
-        <translation>Ouvrir un récent</translation>
+        <translation>Fichiers récents</translation>
     </message>
     <message>
         <source>%1 — %2</source>
@@ -6602,7 +6602,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s)</source>
@@ -6625,7 +6625,7 @@
     </message>
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
-        <translation>Rien n&apos;a été trouvé dans ce plan : tout peut être parcouru.</translation>
+        <translation>Rien n&apos;a été trouvé dans ce plan : il peut être suivi en entier.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6674,7 +6674,7 @@
     </message>
     <message>
         <source>At the place that you clicked:</source>
-        <translation>À l’endroit cliqué :</translation>
+        <translation>À l&apos;endroit cliqué :</translation>
     </message>
     <message>
         <source>On the whole plan:</source>
@@ -6762,23 +6762,23 @@
     <name>SketchHint</name>
     <message>
         <source>Click the first corner of the field</source>
-        <translation>Cliquer sur le premier angle de la parcelle</translation>
+        <translation>Cliquez sur le premier coin de la parcelle</translation>
     </message>
     <message>
         <source>Click the first corner of the hole</source>
-        <translation>Cliquer sur le premier angle de l&apos;enclave</translation>
+        <translation>Cliquez sur le premier coin de l&apos;enclave</translation>
     </message>
     <message>
         <source>Click the first corner of the obstacle</source>
-        <translation>Cliquer sur le premier angle de l&apos;obstacle</translation>
+        <translation>Cliquez sur le premier coin de l&apos;obstacle</translation>
     </message>
     <message>
         <source>Click on the boundary where the gate is</source>
-        <translation>Cliquer sur la limite, là où est l&apos;entrée de parcelle</translation>
+        <translation>Cliquez sur la limite, là où est l&apos;entrée de parcelle</translation>
     </message>
     <message>
         <source>Click where the AB line begins</source>
-        <translation>Cliquer là où commence la ligne AB</translation>
+        <translation>Cliquez là où commence la ligne AB</translation>
     </message>
     <message>
         <source>Length of the next edge</source>
@@ -6810,11 +6810,11 @@
     </message>
     <message>
         <source>Click where the split line begins</source>
-        <translation>Cliquer là où commence la ligne de partage</translation>
+        <translation>Cliquez là où commence la ligne de partage</translation>
     </message>
     <message>
         <source>Press and trace it with the pointer, to %1</source>
-        <translation>Appuyez et suivez-le avec le pointeur, à %1 près</translation>
+        <translation>Appuyez et tracez avec le pointeur, à %1 près</translation>
     </message>
 </context>
 <context>
@@ -6840,7 +6840,7 @@
     <name>StepItem</name>
     <message>
         <source>%1. %2: %3. %4</source>
-        <translation>%1. %2: %3. %4</translation>
+        <translation>%1. %2 : %3. %4</translation>
     </message>
 </context>
 <context>
@@ -6854,15 +6854,15 @@
     <name>ThemeSwitch</name>
     <message>
         <source>Sunlight colours; press for light</source>
-        <translation>Couleurs plein soleil ; appuyer pour claires</translation>
+        <translation>Couleurs plein soleil ; cliquer pour les claires</translation>
     </message>
     <message>
         <source>Dark colours; press for sunlight</source>
-        <translation>Couleurs sombres ; appuyer pour plein soleil</translation>
+        <translation>Couleurs sombres ; cliquer pour plein soleil</translation>
     </message>
     <message>
         <source>Light colours; press for dark</source>
-        <translation>Couleurs claires ; appuyer pour sombres</translation>
+        <translation>Couleurs claires ; cliquer pour les sombres</translation>
     </message>
 </context>
 <context>
@@ -6908,7 +6908,7 @@
     <name>Tour</name>
     <message>
         <source>Get a field</source>
-        <translation>Prendre une parcelle</translation>
+        <translation>Charger une parcelle</translation>
     </message>
     <message>
         <source>Open its boundary, draw it, or press here for a sample.</source>
@@ -6928,19 +6928,19 @@
     </message>
     <message>
         <source>Drag a corner on the map. The plan follows; Ctrl+Z takes it back.</source>
-        <translation>Tirez un coin sur la carte. Le plan suit ; Ctrl+Z annule.</translation>
+        <translation>Faites glisser un coin sur la carte. Le plan suit ; Ctrl+Z annule.</translation>
     </message>
     <message>
         <source>Take it to the tractor</source>
-        <translation>L’emporter au tracteur</translation>
+        <translation>Emporter le plan au tracteur</translation>
     </message>
     <message>
         <source>Export writes the plan to a stick or a folder and checks it.</source>
-        <translation>L’export écrit le plan sur une clé ou dans un dossier et le vérifie.</translation>
+        <translation>L&apos;export écrit le plan sur une clé ou dans un dossier et le vérifie.</translation>
     </message>
     <message>
         <source>That is all</source>
-        <translation>C’est tout</translation>
+        <translation>C&apos;est tout</translation>
     </message>
     <message>
         <source>First things</source>
@@ -6967,11 +6967,11 @@
     </message>
     <message>
         <source>One file with all that is needed to find the cause: the version, the machine, the settings, the shape of the field, the findings, and the record of the last crash. No names and no other fields are in it.</source>
-        <translation>Un fichier avec tout ce qu’il faut pour trouver la cause : la version, la machine, les réglages, la forme de la parcelle, les remarques et l’enregistrement du dernier plantage. Aucun nom ni aucune autre parcelle n’y figure.</translation>
+        <translation>Un fichier avec tout ce qu&apos;il faut pour trouver la cause : la version, la machine, les réglages, la forme de la parcelle, les remarques et l&apos;enregistrement du dernier plantage. Aucun nom ni aucune autre parcelle n&apos;y figure.</translation>
     </message>
     <message>
         <source>Nothing is sent. You decide who gets the file; write to them what you did and what you expected.</source>
-        <translation>Rien n’est envoyé. Vous décidez qui reçoit le fichier ; écrivez ce que vous avez fait et ce que vous attendiez.</translation>
+        <translation>Rien n&apos;est envoyé. Vous décidez qui reçoit le fichier ; écrivez ce que vous avez fait et ce que vous attendiez.</translation>
     </message>
     <message>
         <source>Save the report…</source>
@@ -7242,7 +7242,7 @@
     </message>
     <message>
         <source>Above the best order</source>
-        <translation>Au-dessus du meilleur ordre</translation>
+        <translation>Écart au meilleur ordre</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -7569,7 +7569,7 @@
     </message>
     <message>
         <source>mends the plan</source>
-        <translation>le rend praticable</translation>
+        <translation>rend le plan réalisable</translation>
     </message>
     <message>
         <source>the same time</source>
@@ -7596,7 +7596,7 @@
     </message>
     <message>
         <source>implement down</source>
-        <translation>outil en terre</translation>
+        <translation>outil baissé</translation>
     </message>
     <message>
         <source>implement folded</source>
@@ -7639,7 +7639,7 @@
     </message>
     <message>
         <source>Positions within one and a half widths of it; the figures are of these</source>
-        <translation>Positions à moins d’une largeur et demie ; les chiffres portent sur celles-ci</translation>
+        <translation>Positions à moins d&apos;une largeur et demie ; les chiffres portent sur celles-ci</translation>
     </message>
     <message>
         <source>Half are within</source>
@@ -7675,7 +7675,7 @@
     </message>
     <message>
         <source>As if the implement ran in the middle of the recorded line</source>
-        <translation>Comme si l’outil était centré sur la ligne enregistrée</translation>
+        <translation>Comme si l&apos;outil était centré sur la ligne enregistrée</translation>
     </message>
     <message>
         <source>Missed</source>
@@ -7695,7 +7695,7 @@
     </message>
     <message>
         <source>up to %1</source>
-        <translation>jusqu’à %1</translation>
+        <translation>jusqu&apos;à %1</translation>
     </message>
     <message>
         <source>farther</source>
@@ -7778,11 +7778,11 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Planification …</translation>
+        <translation>Planification…</translation>
     </message>
     <message>
         <source>Drivable</source>
-        <translation>Praticable</translation>
+        <translation>Réalisable</translation>
     </message>
     <message numerus="yes">
         <source>%n problem(s)</source>
@@ -7805,13 +7805,13 @@
     <message numerus="yes">
         <source>%1 of %n field(s)</source>
         <translation>
-            <numerusform>%1 parcelle sur %n</numerusform>
-            <numerusform>%1 parcelles sur %n</numerusform>
+            <numerusform>%1 sur %n parcelle</numerusform>
+            <numerusform>%1 sur %n parcelles</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 drivable</source>
-        <translation>%1 praticables</translation>
+        <translation>%1 réalisables</translation>
     </message>
 </context>
 <context>
@@ -8097,11 +8097,11 @@
     </message>
     <message>
         <source>Land that is not worked</source>
-        <translation>Sol qui n’est pas travaillé</translation>
+        <translation>Sol qui n&apos;est pas travaillé</translation>
     </message>
     <message>
         <source>%1 cannot be reached by the implement, mostly in corners; %2 could be.</source>
-        <translation>%1 est hors d’atteinte de l’outil, surtout dans les coins ; %2 pourrait être travaillé.</translation>
+        <translation>%1 est hors d&apos;atteinte de l&apos;outil, surtout dans les coins ; %2 pourrait être travaillé.</translation>
     </message>
     <message>
         <source>Missed</source>
@@ -8165,7 +8165,7 @@
     </message>
     <message>
         <source>%1 missed</source>
-        <translation>%1 oubliés</translation>
+        <translation>%1 non travaillés</translation>
     </message>
     <message>
         <source>Swaths along %1</source>
@@ -8173,7 +8173,7 @@
     </message>
     <message>
         <source>Search the heading</source>
-        <translation>Chercher l’orientation</translation>
+        <translation>Chercher l&apos;orientation</translation>
     </message>
 </context>
 <context>
@@ -8188,7 +8188,7 @@
     </message>
     <message>
         <source>Add imagery</source>
-        <translation>Ajouter une imagerie</translation>
+        <translation>Ajouter des images</translation>
     </message>
     <message>
         <source>Remove %1</source>
@@ -8212,11 +8212,11 @@
     </message>
     <message>
         <source>Change how strong a layer is</source>
-        <translation>Modifier l’opacité d’une couche</translation>
+        <translation>Modifier l&apos;opacité d&apos;une couche</translation>
     </message>
     <message>
         <source>Turn the rows of tiles round</source>
-        <translation>Inverser l’ordre des lignes de tuiles</translation>
+        <translation>Inverser l&apos;ordre des lignes de tuiles</translation>
     </message>
 </context>
 <context>
@@ -8238,7 +8238,7 @@
     <name>furrow::OrderModel</name>
     <message>
         <source>Order number</source>
-        <translation>Numéro d&apos;ordre</translation>
+        <translation>N° de l&apos;ordre</translation>
     </message>
     <message>
         <source>Customer</source>
@@ -8254,7 +8254,7 @@
     </message>
     <message>
         <source>Time</source>
-        <translation>Temps</translation>
+        <translation>Horaire</translation>
     </message>
     <message>
         <source>Product</source>
@@ -8316,7 +8316,7 @@
     </message>
     <message>
         <source>covered %1</source>
-        <translation>couvert %1</translation>
+        <translation>travaillé %1</translation>
     </message>
     <message>
         <source>worked twice %1</source>
@@ -8396,8 +8396,8 @@
     <message numerus="yes">
         <source>%n swath(s) of the other plan lie elsewhere.</source>
         <translation>
-            <numerusform>%n passage de l’autre plan est ailleurs.</numerusform>
-            <numerusform>%n passages de l’autre plan sont ailleurs.</numerusform>
+            <numerusform>%n passage de l&apos;autre plan est ailleurs.</numerusform>
+            <numerusform>%n passages de l&apos;autre plan sont ailleurs.</numerusform>
         </translation>
     </message>
     <message>
@@ -8486,7 +8486,7 @@
     </message>
     <message>
         <source>The plan is out of date. Plan again to print it.</source>
-        <translation>Le plan n&apos;est plus à jour. Replanifiez pour l&apos;imprimer.</translation>
+        <translation>Le plan est périmé. Planifiez à nouveau pour l&apos;imprimer.</translation>
     </message>
     <message>
         <source>There is no plan to print. The message on the map says why.</source>
@@ -8537,7 +8537,7 @@
     </message>
     <message>
         <source>Another program changed “%1” while changes of yours were not saved. Yours are shown; undo shows the file.</source>
-        <translation>Un autre programme a modifié « %1 » alors que vos modifications n&apos;étaient pas enregistrées. Les vôtres sont affichées ; annuler montre le fichier.</translation>
+        <translation>Un autre programme a modifié « %1 » alors que vos modifications n&apos;étaient pas enregistrées. Les vôtres sont affichées ; « Annuler » montre le fichier.</translation>
     </message>
     <message>
         <source>Another program has changed “%1” since it was opened here.</source>
@@ -8545,7 +8545,7 @@
     </message>
     <message>
         <source>Save over it, or save yours under another name.</source>
-        <translation>L&apos;écraser, ou enregistrer le vôtre sous un autre nom.</translation>
+        <translation>Écrasez-le, ou enregistrez le vôtre sous un autre nom.</translation>
     </message>
     <message>
         <source>Farm</source>
@@ -8553,7 +8553,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -8588,19 +8588,19 @@
     </message>
     <message>
         <source>This is not a length. Type it like 7.3 m, 24 ft or 10&apos;6&quot;.</source>
-        <translation>Ce n&apos;est pas une longueur. Saisir par exemple 7,3 m, 24 ft ou 10&apos;6&quot;.</translation>
+        <translation>Ce n&apos;est pas une longueur. Saisissez par exemple 7,3 m, 24 ft ou 10&apos;6&quot;.</translation>
     </message>
     <message>
         <source>This is not an area. Type it like 12.5 ha or 30 ac.</source>
-        <translation>Ce n&apos;est pas une surface. Saisir par exemple 12,5 ha ou 30 ac.</translation>
+        <translation>Ce n&apos;est pas une surface. Saisissez par exemple 12,5 ha ou 30 ac.</translation>
     </message>
     <message>
         <source>This is not a speed. Type it like 8 km/h or 5 mph.</source>
-        <translation>Ce n&apos;est pas une vitesse. Saisir par exemple 8 km/h ou 5 mph.</translation>
+        <translation>Ce n&apos;est pas une vitesse. Saisissez par exemple 8 km/h ou 5 mph.</translation>
     </message>
     <message>
         <source>This is not an angle. Type it in degrees, like 87.5.</source>
-        <translation>Ce n&apos;est pas un angle. Le saisir en degrés, par exemple 87,5.</translation>
+        <translation>Ce n&apos;est pas un angle. Saisissez-le en degrés, par exemple 87,5.</translation>
     </message>
     <message>
         <source>This is not a number.</source>
@@ -8612,7 +8612,7 @@
     </message>
     <message>
         <source>Type something from %1 to %2.</source>
-        <translation>Saisir une valeur de %1 à %2.</translation>
+        <translation>Saisissez une valeur de %1 à %2.</translation>
     </message>
     <message>
         <source>%1 mi</source>
@@ -8636,7 +8636,7 @@
     </message>
     <message>
         <source>This is not a time. Type it like 45 s or 2 min.</source>
-        <translation>Ce n’est pas un temps. Le saisir comme 45 s ou 2 min.</translation>
+        <translation>Ce n&apos;est pas un temps. Saisissez par exemple 45 s ou 2 min.</translation>
     </message>
 </context>
 <context>
@@ -8689,7 +8689,7 @@
     </message>
     <message>
         <source>Take the verdict back</source>
-        <translation>Retirer l’avis</translation>
+        <translation>Retirer l&apos;avis</translation>
     </message>
     <message>
         <source>review</source>
@@ -8705,7 +8705,7 @@
     </message>
     <message>
         <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
-        <translation>Écrit : %1. Quiconque a Furrow peut l’ouvrir, le commenter et le renvoyer.</translation>
+        <translation>Écrit : %1. Quiconque a Furrow peut l&apos;ouvrir, le commenter et le renvoyer.</translation>
     </message>
     <message>
         <source>Take in a review</source>
@@ -8808,7 +8808,7 @@
     </message>
     <message>
         <source>Open a file or draw a boundary</source>
-        <translation>Ouvrir un fichier ou dessiner une limite</translation>
+        <translation>Ouvrez un fichier ou dessinez une limite</translation>
     </message>
     <message>
         <source>%1 wide</source>
@@ -8851,7 +8851,7 @@
     </message>
     <message>
         <source>Plan again to check what the panels show</source>
-        <translation>Planifier à nouveau pour vérifier l&apos;état actuel</translation>
+        <translation>Planifiez à nouveau pour vérifier l&apos;état actuel</translation>
     </message>
     <message>
         <source>No problems</source>
@@ -8940,22 +8940,22 @@
     <name>furrow::SwathOrder</name>
     <message>
         <source>Search the order of the other swaths</source>
-        <translation>Chercher l’ordre des autres passages</translation>
+        <translation>Chercher l&apos;ordre des autres passages</translation>
     </message>
     <message>
         <source>Search the order</source>
-        <translation>Chercher l’ordre</translation>
+        <translation>Chercher l&apos;ordre</translation>
     </message>
     <message>
         <source>Change the order of swaths</source>
-        <translation>Changer l’ordre des passages</translation>
+        <translation>Changer l&apos;ordre des passages</translation>
     </message>
 </context>
 <context>
     <name>furrow::TroubleReport</name>
     <message>
         <source>The report could not be written: %1</source>
-        <translation>Le rapport n’a pas pu être écrit : %1</translation>
+        <translation>Le rapport n&apos;a pas pu être écrit : %1</translation>
     </message>
     <message>
         <source>The report is in %1.</source>

@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>Everything at %1 %</source>
-        <translation>Alles op %1 %</translation>
+        <translation>Weergave op %1 %</translation>
     </message>
     <message>
         <source>size scaling zoom large text</source>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Layer: OpenStreetMap from the network</source>
-        <translation>Laag: OpenStreetMap van het netwerk</translation>
+        <translation>Laag: OpenStreetMap van internet</translation>
     </message>
     <message>
         <source>online tiles</source>
@@ -428,7 +428,7 @@
     </message>
     <message>
         <source>drive play here swath turn</source>
-        <translation>rijden hier werkgang keren</translation>
+        <translation>rijden afspelen hier werkgang draai keren</translation>
     </message>
     <message>
         <source>Drive faster</source>
@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>Size of everything</source>
-        <translation>Grootte van alles</translation>
+        <translation>Grootte van de weergave</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -548,7 +548,7 @@
     </message>
     <message>
         <source>Layer: swath numbers</source>
-        <translation>Laag: nummers van de werkgangen</translation>
+        <translation>Laag: werkgangnummers</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -642,7 +642,7 @@
     </message>
     <message>
         <source>Stop and keep</source>
-        <translation>Stoppen en houden</translation>
+        <translation>Stoppen en behouden</translation>
     </message>
     <message>
         <source>Use this plan</source>
@@ -677,7 +677,7 @@
     </message>
     <message>
         <source>Turns and ways from block to block, estimated.</source>
-        <translation>Draaien en wegen van deelperceel naar deelperceel, geschat.</translation>
+        <translation>Draaien en verplaatsingen van deelperceel naar deelperceel, geschat.</translation>
     </message>
 </context>
 <context>
@@ -774,7 +774,7 @@
     </message>
     <message>
         <source>The other plan is being made …</source>
-        <translation>Het andere plan wordt gemaakt …</translation>
+        <translation>Het andere plan wordt gemaakt…</translation>
     </message>
     <message>
         <source>This plan</source>
@@ -794,7 +794,7 @@
     </message>
     <message>
         <source>Hold to see the other plan (key X)</source>
-        <translation>Ingedrukt: het andere plan (toets X)</translation>
+        <translation>Vasthouden: het andere plan (toets X)</translation>
     </message>
     <message>
         <source>What was chosen otherwise</source>
@@ -894,7 +894,7 @@
     </message>
     <message>
         <source>Go to the farthest place</source>
-        <translation>Naar de verste plaats</translation>
+        <translation>Naar de grootste afstand</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1134,11 +1134,11 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Rijweg</translation>
+        <translation>Traject</translation>
     </message>
     <message>
         <source>State</source>
-        <translation>Stand</translation>
+        <translation>Status</translation>
     </message>
     <message>
         <source>Fields of the farm</source>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Plant …</translation>
+        <translation>Bezig met plannen…</translation>
     </message>
     <message>
         <source>All are planned</source>
@@ -1219,7 +1219,7 @@
     </message>
     <message>
         <source>Add one to look at</source>
-        <translation>Er een toevoegen om te bekijken</translation>
+        <translation>Eén toevoegen om te bekijken</translation>
     </message>
 </context>
 <context>
@@ -1227,7 +1227,7 @@
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
         <translation>
-            <numerusform>Is het dit %n perceel?</numerusform>
+            <numerusform>Welk perceel (%n)?</numerusform>
             <numerusform>Welk van de %n percelen?</numerusform>
         </translation>
     </message>
@@ -1237,7 +1237,7 @@
     </message>
     <message>
         <source>Open all of them</source>
-        <translation>Ze allemaal openen</translation>
+        <translation>Alle openen</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -1313,7 +1313,7 @@
     <name>HeadingChart</name>
     <message>
         <source>Time by</source>
-        <translation>Tijd naar</translation>
+        <translation>Tijd bij</translation>
     </message>
     <message>
         <source>direction</source>
@@ -1333,7 +1333,7 @@
     </message>
     <message>
         <source>Time by %1</source>
-        <translation>Tijd naar %1</translation>
+        <translation>Tijd bij %1</translation>
     </message>
     <message>
         <source>Directions of swaths and their times</source>
@@ -1417,7 +1417,7 @@
     </message>
     <message>
         <source>Opening …</source>
-        <translation>Openen…</translation>
+        <translation>Wordt geopend…</translation>
     </message>
     <message>
         <source>Contour lines every %1</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>Way from %1 to %2</source>
-        <translation>Weg: %1 → %2</translation>
+        <translation>Verplaatsing: %1 → %2</translation>
     </message>
     <message>
         <source>%1 without working, in %2.</source>
@@ -1651,7 +1651,7 @@
     </message>
     <message>
         <source>Whole turn</source>
-        <translation>Hele keerbeweging</translation>
+        <translation>Hele draai</translation>
     </message>
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
@@ -1678,7 +1678,7 @@
     <name>InspectorPanel</name>
     <message>
         <source>Headland as elsewhere</source>
-        <translation>Kopakker als elders</translation>
+        <translation>Kopakker zoals elders</translation>
     </message>
     <message>
         <source>selected</source>
@@ -1694,7 +1694,7 @@
     </message>
     <message>
         <source>Swaths along it</source>
-        <translation>Werkgangen erlangs</translation>
+        <translation>Werkgangen hierlangs</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1796,7 +1796,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Rijweg</translation>
+        <translation>Traject</translation>
     </message>
     <message>
         <source>Directions</source>
@@ -1820,7 +1820,7 @@
     </message>
     <message>
         <source>Swath numbers</source>
-        <translation>Nummers van de werkgangen</translation>
+        <translation>Werkgangnummers</translation>
     </message>
 </context>
 <context>
@@ -1839,7 +1839,7 @@
     </message>
     <message>
         <source>From the network</source>
-        <translation>Van het netwerk</translation>
+        <translation>Van internet</translation>
     </message>
     <message>
         <source>OpenStreetMap</source>
@@ -2065,7 +2065,7 @@
     </message>
     <message>
         <source>Planning for the pages …</source>
-        <translation>Er wordt gepland voor de pagina&apos;s …</translation>
+        <translation>Er wordt gepland voor de pagina&apos;s…</translation>
     </message>
     <message>
         <source>Stopped before there were pages.</source>
@@ -2221,7 +2221,7 @@
     </message>
     <message>
         <source>%1 moves %2 off where the machine points.</source>
-        <translation>%1 rijdt %2 anders dan de machine wijst.</translation>
+        <translation>%1 wijkt %2 af van de richting waarin de machine wijst.</translation>
     </message>
     <message>
         <source>%1 needs %2</source>
@@ -2253,15 +2253,15 @@
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
-        <translation>%1, %2 is geen lengte en breedte</translation>
+        <translation>%1, %2 is geen lengte- en breedtegraad</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
-        <translation>%1, %2 is geen lengte en breedte, en het bestand zegt niet welk coördinatenstelsel het gebruikt</translation>
+        <translation>%1, %2 is geen lengte- en breedtegraad, en het bestand zegt niet welk coördinatenstelsel het gebruikt</translation>
     </message>
     <message>
         <source>%1, %2 is outside longitude -180 to 180 and latitude -90 to 90</source>
-        <translation>%1, %2 ligt buiten lengte -180 tot 180 en breedte -90 tot 90</translation>
+        <translation>%1, %2 ligt buiten de lengtegraden -180 tot 180 en breedtegraden -90 tot 90</translation>
     </message>
     <message>
         <source>%1, %2, line %3</source>
@@ -2390,8 +2390,8 @@
     <message numerus="yes">
         <source>%n spikes without area were removed</source>
         <translation>
-            <numerusform>%n punt zonder oppervlakte is verwijderd</numerusform>
-            <numerusform>%n punten zonder oppervlakte zijn verwijderd</numerusform>
+            <numerusform>%n uitsteeksel zonder oppervlakte is verwijderd</numerusform>
+            <numerusform>%n uitsteeksels zonder oppervlakte zijn verwijderd</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2427,11 +2427,11 @@
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
-        <translation>&apos;%1&apos;, &apos;%2&apos; is geen breedte- en lengtegraad</translation>
+        <translation>‘%1’, ‘%2’ is geen breedte- en lengtegraad</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
-        <translation>‘%1’, ‘%2’ is geen lengte en breedte</translation>
+        <translation>‘%1’, ‘%2’ is geen lengte- en breedtegraad</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -2475,7 +2475,7 @@
     </message>
     <message>
         <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
-        <translation>Een strook van gelijke breedte langs de perceelsgrens en rond obstakels, om te draaien.</translation>
+        <translation>Een strook van gelijke breedte langs de perceelsgrens en rond obstakels, om te keren.</translation>
     </message>
     <message>
         <source>A+</source>
@@ -2511,7 +2511,7 @@
     </message>
     <message>
         <source>AgOpenGPS drives recorded paths forwards only, and this one reverses %1 times: its %2 forward stretches are &apos;Part 01.rec&apos; and so on, RecPath.txt is the first; %3 under 5 m are left out.</source>
-        <translation>AgOpenGPS rijdt opgenomen wegen alleen vooruit, en deze gaat %1 keer achteruit: de %2 stukken vooruit zijn &apos;Part 01.rec&apos; enzovoort, RecPath.txt is het eerste; %3 onder 5 m zijn weggelaten.</translation>
+        <translation>AgOpenGPS rijdt opgenomen paden alleen vooruit, en dit pad gaat %1 keer achteruit: de %2 stukken vooruit zijn ‘Part 01.rec’ enzovoort, RecPath.txt is het eerste; %3 onder 5 m zijn weggelaten.</translation>
     </message>
     <message>
         <source>AgOpenGPS field</source>
@@ -2519,7 +2519,7 @@
     </message>
     <message>
         <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own, and the whole path is in the first.</source>
-        <translation>AgOpenGPS kent één omtrek per perceel: de %1 delen van ‘%2’ zijn aparte percelen, en de hele rijweg zit in het eerste.</translation>
+        <translation>AgOpenGPS kent één omtrek per perceel: de %1 delen van ‘%2’ zijn aparte percelen, en het hele traject zit in het eerste.</translation>
     </message>
     <message>
         <source>AgOpenGPS keeps one outline to a field: the %1 parts of &apos;%2&apos; are fields of their own.</source>
@@ -2543,7 +2543,7 @@
     </message>
     <message>
         <source>Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.</source>
-        <translation>Langs elke zijde zo breed als het draaien daar nodig heeft; één werkgang waar geen werkgang eindigt, of niets als ze niet wordt bewerkt.</translation>
+        <translation>Langs elke zijde zo breed als daar nodig is om te keren; één kopakkergang waar geen werkgang eindigt, of niets als de kopakker niet wordt bewerkt.</translation>
     </message>
     <message>
         <source>Along rows that are there already, or between them.</source>
@@ -2563,7 +2563,7 @@
     </message>
     <message>
         <source>Along the headland</source>
-        <translation>Langs de kopakker</translation>
+        <translation>Over de kopakker</translation>
     </message>
     <message>
         <source>Along the line from A to B; one swath lies on it.</source>
@@ -2651,7 +2651,7 @@
     </message>
     <message>
         <source>Boundaries in longitude and latitude.</source>
-        <translation>Perceelsgrenzen in lengte en breedte.</translation>
+        <translation>Perceelsgrenzen in lengte- en breedtegraden.</translation>
     </message>
     <message>
         <source>Boundaries, also field files of Fields2Cover and GAOS.</source>
@@ -2671,7 +2671,7 @@
     </message>
     <message>
         <source>Boundary, holes, headland, guidance lines, and the whole driven path as a recorded path.</source>
-        <translation>Perceelsgrens, gaten, kopakker, stuurlijnen en de hele rijweg als opgenomen weg.</translation>
+        <translation>Perceelsgrens, gaten, kopakker, stuurlijnen en het hele gereden traject als opgenomen pad.</translation>
     </message>
     <message>
         <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
@@ -2683,23 +2683,23 @@
     </message>
     <message>
         <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
-        <translation>Perceelsgrens, gaten, obstakels, kopakker, werkgangen en rijweg in meters van de UTM-zone.</translation>
+        <translation>Perceelsgrens, gaten, obstakels, kopakker, werkgangen en traject in meters van de UTM-zone.</translation>
     </message>
     <message>
         <source>Boundary, obstacles, gates, headland, swaths and path, to look at.</source>
-        <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen en rijweg, om te bekijken.</translation>
+        <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen en traject, om te bekijken.</translation>
     </message>
     <message>
         <source>Boundary, obstacles, gates, headland, swaths, path and findings; for maps and programs.</source>
-        <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen, rijweg en bevindingen; voor kaarten en programma&apos;s.</translation>
+        <translation>Perceelsgrens, obstakels, inritten, kopakker, werkgangen, traject en bevindingen; voor kaarten en programma&apos;s.</translation>
     </message>
     <message>
         <source>Boundary, obstacles, gates, inside of the headland, swaths and path as layers for a GIS.</source>
-        <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en rijweg als lagen voor een GIS.</translation>
+        <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en traject als lagen voor een GIS.</translation>
     </message>
     <message>
         <source>Boundary, obstacles, gates, inside of the headland, swaths and path, a shapefile of each.</source>
-        <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en rijweg, elk een shapefile.</translation>
+        <translation>Perceelsgrens, obstakels, inritten, binnenakker, werkgangen en traject, elk een shapefile.</translation>
     </message>
     <message>
         <source>Bringing the crop in: headland first, swaths overlap a little.</source>
@@ -2719,7 +2719,7 @@
     </message>
     <message>
         <source>Carried by the tractor, or pulled on a hitch and following its own track.</source>
-        <translation>Door de trekker gedragen, of getrokken aan een aanhanging met een eigen spoor.</translation>
+        <translation>Door de trekker gedragen, of getrokken aan een koppelpunt met een eigen spoor.</translation>
     </message>
     <message>
         <source>Blocks</source>
@@ -2731,7 +2731,7 @@
     </message>
     <message>
         <source>Check that the machine stays inside the field while it turns.</source>
-        <translation>Controleren of de machine bij het draaien binnen het perceel blijft.</translation>
+        <translation>Controleren of de machine bij het keren binnen het perceel blijft.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -2763,7 +2763,7 @@
     </message>
     <message>
         <source>Crop protection: headland first, ways along the headland.</source>
-        <translation>Gewasbescherming: kopakker eerst, wegen langs de kopakker.</translation>
+        <translation>Gewasbescherming: kopakker eerst, verplaatsen over de kopakker.</translation>
     </message>
     <message>
         <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
@@ -2771,15 +2771,15 @@
     </message>
     <message>
         <source>Curves with reversing</source>
-        <translation>Bochten met achteruit</translation>
+        <translation>Bochten met achteruitrijden</translation>
     </message>
     <message>
         <source>Curves with reversing, smooth steering</source>
-        <translation>Bochten met achteruit, vloeiend sturen</translation>
+        <translation>Bochten met achteruitrijden, vloeiend sturen</translation>
     </message>
     <message>
         <source>Cut along the swaths at every corner, sharp or rounded.</source>
-        <translation>Langs de werkgangen gedeeld bij elke hoek, scherp of afgerond.</translation>
+        <translation>Langs de werkgangen gesplitst bij elke hoek, scherp of afgerond.</translation>
     </message>
     <message>
         <source>Cut along the swaths where an obstacle or a bay begins or ends.</source>
@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>Cut where an obstacle or a bay begins or ends, and joined again where that saves turns and ways.</source>
-        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar dat draaien en wegen bespaart.</translation>
+        <translation>Gesplitst waar een obstakel of een inham begint of eindigt, en weer samengevoegd waar dat draaien en verplaatsingen bespaart.</translation>
     </message>
     <message>
         <source>Cutting grass: headland first, swaths overlap a little.</source>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Drilling or planting: headland last, ways along the headland.</source>
-        <translation>Zaaien of poten: kopakker laatst, wegen langs de kopakker.</translation>
+        <translation>Zaaien of poten: kopakker als laatste, verplaatsen over de kopakker.</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -2823,7 +2823,7 @@
     </message>
     <message>
         <source>Drives the whole path, turns included, as a recorded path; stretches in reverse gear are left to the driver. Shows boundary, headland and guidance lines. Copy the field&apos;s folder to Documents/AgOpenGPS/Fields.</source>
-        <translation>Rijdt de hele weg, draaien inbegrepen, als opgenomen weg; stukken achteruit blijven voor de bestuurder. Toont perceelsgrens, kopakker en stuurlijnen. Kopieer de map van het perceel naar Documents/AgOpenGPS/Fields.</translation>
+        <translation>Rijdt het hele traject, draaien inbegrepen, als opgenomen pad; stukken achteruit blijven voor de bestuurder. Toont perceelsgrens, kopakker en stuurlijnen. Kopieer de map van het perceel naar Documents/AgOpenGPS/Fields.</translation>
     </message>
     <message>
         <source>Each its own</source>
@@ -2851,7 +2851,7 @@
     </message>
     <message>
         <source>Every sample of the path; without a plan boundaries as WKT, or as points.</source>
-        <translation>Elk punt van de rijweg; zonder plan perceelsgrenzen als WKT of als punten.</translation>
+        <translation>Elk punt van het traject; zonder plan perceelsgrenzen als WKT of als punten.</translation>
     </message>
     <message>
         <source>Every second swath on the way out, the others on the way back.</source>
@@ -2867,7 +2867,7 @@
     </message>
     <message>
         <source>Fertiliser or manure: headland first, ways along the headland.</source>
-        <translation>Kunstmest of mest: kopakker eerst, wegen langs de kopakker.</translation>
+        <translation>Kunstmest of mest: kopakker eerst, verplaatsen over de kopakker.</translation>
     </message>
     <message>
         <source>Fertiliser spreader, 36 m</source>
@@ -2895,7 +2895,7 @@
     </message>
     <message>
         <source>Five-furrow mounted plough, 2.5 m</source>
-        <translation>Vijfschaar gedragen ploeg, 2,5 m</translation>
+        <translation>Gedragen vijfschaarploeg, 2,5 m</translation>
     </message>
     <message>
         <source>Forward arc, straight back, forward arc; little room for near swaths.</source>
@@ -2935,7 +2935,7 @@
     </message>
     <message>
         <source>From the fixed axle to the hitch, negative behind the axle.</source>
-        <translation>Van de vaste as tot de aanhanging, negatief achter de as.</translation>
+        <translation>Van de vaste as tot het koppelpunt, negatief achter de as.</translation>
     </message>
     <message>
         <source>From the fixed axle to the middle of the working parts, negative behind the axle.</source>
@@ -2947,7 +2947,7 @@
     </message>
     <message>
         <source>From the tractor&apos;s nose to its rear end.</source>
-        <translation>Van de neus van de trekker tot de achterkant.</translation>
+        <translation>Van de voorkant van de trekker tot de achterkant.</translation>
     </message>
     <message>
         <source>From working depth to clear of the ground.</source>
@@ -2963,7 +2963,7 @@
     </message>
     <message>
         <source>Fuel in turns</source>
-        <translation>Brandstof in draaien</translation>
+        <translation>Brandstof bij het keren</translation>
     </message>
     <message>
         <source>Full spacing; the last swath is moved back to the edge.</source>
@@ -2979,7 +2979,7 @@
     </message>
     <message>
         <source>Gets the whole path as nav_msgs/Path, and stretches in one gear each where it reverses.</source>
-        <translation>Krijgt de hele rijweg als nav_msgs/Path, en stukken in elk één versnelling waar hij achteruitrijdt.</translation>
+        <translation>Krijgt het hele traject als nav_msgs/Path, en stukken in elk één versnelling waar hij achteruitrijdt.</translation>
     </message>
     <message>
         <source>Given direction</source>
@@ -2991,7 +2991,7 @@
     </message>
     <message>
         <source>Great Field</source>
-        <translation>Groot Veld</translation>
+        <translation>Groot Perceel</translation>
     </message>
     <message>
         <source>Half way in</source>
@@ -3015,7 +3015,7 @@
     </message>
     <message>
         <source>Headland first or last.</source>
-        <translation>Kopakker eerst of laatst.</translation>
+        <translation>Kopakker eerst of als laatste.</translation>
     </message>
     <message>
         <source>Heights</source>
@@ -3023,11 +3023,11 @@
     </message>
     <message>
         <source>Hitch offset</source>
-        <translation>Plaats van de aanhanging</translation>
+        <translation>Plaats van het koppelpunt</translation>
     </message>
     <message>
         <source>Home Field</source>
-        <translation>Huisveld</translation>
+        <translation>Huiskavel</translation>
     </message>
     <message>
         <source>How far a trailed implement may swing to one side.</source>
@@ -3039,7 +3039,7 @@
     </message>
     <message>
         <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
-        <translation>Hoe snel de kromming langs de rijweg mag veranderen; uit de stuursnelheid waar ze niet opgegeven is.</translation>
+        <translation>Hoe snel de kromming langs het traject mag veranderen; uit de stuursnelheid waar ze niet opgegeven is.</translation>
     </message>
     <message>
         <source>How fast the steered wheels turn.</source>
@@ -3107,7 +3107,7 @@
     </message>
     <message>
         <source>Largest speed in turns.</source>
-        <translation>Hoogste snelheid in draaien.</translation>
+        <translation>Hoogste snelheid bij het keren.</translation>
     </message>
     <message>
         <source>Largest steering angle</source>
@@ -3127,7 +3127,7 @@
     </message>
     <message>
         <source>Least time</source>
-        <translation>Minste tijd</translation>
+        <translation>Kortste tijd</translation>
     </message>
     <message>
         <source>Leaves some swaths out at each turn and comes back for them.</source>
@@ -3147,11 +3147,11 @@
     </message>
     <message>
         <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
-        <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gedeeld; ze lopen er helemaal doorheen of eindigen hoogstens een werkbreedte voor de rand.</translation>
+        <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gesplitst; ze lopen er helemaal doorheen of eindigen hoogstens een werkbreedte voor de rand.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
-        <translation>Liter brandstof per uur draaien en verplaatsen.</translation>
+        <translation>Liter brandstof per uur keren en verplaatsen.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of work.</source>
@@ -3187,7 +3187,7 @@
     </message>
     <message>
         <source>Most covered</source>
-        <translation>Meeste bewerkt</translation>
+        <translation>Meest bewerkt</translation>
     </message>
     <message>
         <source>Most terminals read FAT32 only; this stick has %1. Format it as FAT32.</source>
@@ -3239,7 +3239,7 @@
     </message>
     <message>
         <source>Off: the strip is kept for turning only.</source>
-        <translation>Uit: de strook is alleen om te draaien.</translation>
+        <translation>Uit: de strook is alleen om te keren.</translation>
     </message>
     <message>
         <source>Omega turn</source>
@@ -3279,7 +3279,7 @@
     </message>
     <message>
         <source>Orchard tractor with 1.5 m sprayer</source>
-        <translation>Boomgaardtrekker met spuit 1,5 m</translation>
+        <translation>Smalspoortrekker, boomgaardspuit 1,5 m</translation>
     </message>
     <message>
         <source>Order</source>
@@ -3315,11 +3315,11 @@
     </message>
     <message>
         <source>Plan again; the path lacks this pass.</source>
-        <translation>Plan opnieuw; in de rijweg ontbreekt deze gang.</translation>
+        <translation>Plan opnieuw; in het traject ontbreekt deze gang.</translation>
     </message>
     <message>
         <source>Plan again; the path was changed or cut here.</source>
-        <translation>Plan opnieuw; de rijweg is hier gewijzigd of afgekapt.</translation>
+        <translation>Plan opnieuw; het traject is hier gewijzigd of afgekapt.</translation>
     </message>
     <message>
         <source>Plan again; the times were changed.</source>
@@ -3363,11 +3363,11 @@
     </message>
     <message>
         <source>Rear overhang</source>
-        <translation>Overbouw achter</translation>
+        <translation>Achteroverbouw</translation>
     </message>
     <message>
         <source>Recorded path</source>
-        <translation>Opgenomen weg</translation>
+        <translation>Opgenomen pad</translation>
     </message>
     <message>
         <source>Relay 1 is on where the implement works.</source>
@@ -3455,11 +3455,11 @@
     </message>
     <message>
         <source>Shows the boundary, its holes, the headland and the guidance lines, not the path. Holes are written as obstacles, since it overlooks others.</source>
-        <translation>Toont de perceelsgrens, de gaten, de kopakker en de stuurlijnen, niet de rijweg. Gaten worden als obstakels geschreven, omdat het andere over het hoofd ziet.</translation>
+        <translation>Toont de perceelsgrens, de gaten, de kopakker en de stuurlijnen, niet het traject. Gaten worden als obstakels geschreven, omdat het andere over het hoofd ziet.</translation>
     </message>
     <message>
         <source>Shows the path as a mission, and the boundary and obstacles as fences. Not tested on the machine by us.</source>
-        <translation>Toont de rijweg als missie, en de perceelsgrens en obstakels als hekken. Door ons niet op de machine getest.</translation>
+        <translation>Toont het traject als missie, en de perceelsgrens en obstakels als hekken. Door ons niet op de machine getest.</translation>
     </message>
     <message>
         <source>Six directions, then ever finer around the best three (Oksanen &amp; Visala).</source>
@@ -3467,7 +3467,7 @@
     </message>
     <message>
         <source>Six-row planter, 4.5 m</source>
-        <translation>Zesrijige planter, 4,5 m</translation>
+        <translation>Precisiezaaimachine, 6 rijen, 4,5 m</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -3479,7 +3479,7 @@
     </message>
     <message>
         <source>Slanted Field</source>
-        <translation>Schuin Veld</translation>
+        <translation>Schuin Perceel</translation>
     </message>
     <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
@@ -3567,7 +3567,7 @@
     </message>
     <message>
         <source>Straight way needed before the implement is lowered.</source>
-        <translation>Rechte weg die nodig is voordat het werktuig neergelaten wordt.</translation>
+        <translation>Recht stuk dat nodig is voordat het werktuig neergelaten wordt.</translation>
     </message>
     <message>
         <source>Swath after swath over all of the field, whatever cuts them.</source>
@@ -3575,7 +3575,7 @@
     </message>
     <message>
         <source>Swath numbers in driving order; a minus drives one the other way.</source>
-        <translation>Nummers van werkgangen in rijvolgorde; een min rijdt er een andersom.</translation>
+        <translation>Werkgangnummers in rijvolgorde; een min rijdt er een andersom.</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -3595,7 +3595,7 @@
     </message>
     <message>
         <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
-        <translation>Werkgangen reiken tot de perceelsgrens; voor percelen met ruimte om erbuiten te draaien.</translation>
+        <translation>Werkgangen reiken tot de perceelsgrens; voor percelen met ruimte om erbuiten te keren.</translation>
     </message>
     <message>
         <source>Swaths that are finished together.</source>
@@ -3603,7 +3603,7 @@
     </message>
     <message>
         <source>Takes the boundary only, as an upload from a computer; no guidance lines, no path.</source>
-        <translation>Neemt alleen de perceelsgrens, geüpload van een computer; geen stuurlijnen, geen rijweg.</translation>
+        <translation>Neemt alleen de perceelsgrens, geüpload van een computer; geen stuurlijnen, geen traject.</translation>
     </message>
     <message>
         <source>Tank or bunker</source>
@@ -3631,7 +3631,7 @@
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
-        <translation>Het perceel is te smal voor %1 kopakker; hij is %2 met %3</translation>
+        <translation>Het perceel is te smal voor %1 kopakker; het wordt %2 met %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
@@ -3655,7 +3655,7 @@
     </message>
     <message>
         <source>The headland is worked last.</source>
-        <translation>De kopakker wordt het laatst bewerkt.</translation>
+        <translation>De kopakker wordt als laatste bewerkt.</translation>
     </message>
     <message>
         <source>The headland strip, %1, is not worked by this plan, nor are %2 at the ends of the swaths beside it.</source>
@@ -3667,7 +3667,7 @@
     </message>
     <message>
         <source>The hitch bends by %1 in %2; %3 are allowed.</source>
-        <translation>De aanhanging knikt %1 bij %2; toegestaan is %3.</translation>
+        <translation>Het koppelpunt knikt %1 bij %2; toegestaan is %3.</translation>
     </message>
     <message>
         <source>The largest covered share inside the headland.</source>
@@ -3719,27 +3719,27 @@
     </message>
     <message>
         <source>The path as a mission for ArduPilot Rover: waypoints, speeds, gear, implement.</source>
-        <translation>De rijweg als missie voor ArduPilot Rover: waypoints, snelheden, versnelling, werktuig.</translation>
+        <translation>Het traject als missie voor ArduPilot Rover: waypoints, snelheden, versnelling, werktuig.</translation>
     </message>
     <message>
         <source>The path as a track, swath ends as a route, gates as waypoints; for phones.</source>
-        <translation>De rijweg als track, einden van werkgangen als route, inritten als waypoints; voor telefoons.</translation>
+        <translation>Het traject als track, einden van werkgangen als route, inritten als waypoints; voor telefoons.</translation>
     </message>
     <message>
         <source>The path as nav_msgs/Path in a recording of ROS 2.</source>
-        <translation>De rijweg als nav_msgs/Path in een opname van ROS 2.</translation>
+        <translation>Het traject als nav_msgs/Path in een opname van ROS 2.</translation>
     </message>
     <message>
         <source>The path as one message for ros2 topic pub.</source>
-        <translation>De rijweg als één bericht voor ros2 topic pub.</translation>
+        <translation>Het traject als één bericht voor ros2 topic pub.</translation>
     </message>
     <message>
         <source>The path with times, velocities and orientations, and the boundary as a fence; for own robots.</source>
-        <translation>De rijweg met tijden, snelheden en oriëntaties, en de perceelsgrens als hek; voor eigen robots.</translation>
+        <translation>Het traject met tijden, snelheden en oriëntaties, en de perceelsgrens als hek; voor eigen robots.</translation>
     </message>
     <message>
         <source>The quickest turn of any kind that stays inside the field, in several moves where it must.</source>
-        <translation>De snelste draai van welke soort ook die binnen het perceel blijft, in meer slagen waar nodig.</translation>
+        <translation>De snelste draai van welke soort ook die binnen het perceel blijft, in meer bewegingen waar nodig.</translation>
     </message>
     <message>
         <source>The same as KML, zipped.</source>
@@ -3755,7 +3755,7 @@
     </message>
     <message>
         <source>The shortest curve without reversing, at the smallest turning radius (Dubins).</source>
-        <translation>De kortste bocht zonder achteruit, met de kleinste draaistraal (Dubins).</translation>
+        <translation>De kortste bocht zonder achteruitrijden, met de kleinste draaistraal (Dubins).</translation>
     </message>
     <message>
         <source>The shortest time in swaths and turns.</source>
@@ -3771,7 +3771,7 @@
     </message>
     <message>
         <source>The stated curvature differs from the path in %1, by up to %2 1/m.</source>
-        <translation>De opgegeven kromming wijkt op %1 af van de rijweg, tot %2 1/m.</translation>
+        <translation>De opgegeven kromming wijkt op %1 af van het traject, tot %2 1/m.</translation>
     </message>
     <message>
         <source>The stated speed is up to %1 above the machine&apos;s.</source>
@@ -3779,7 +3779,7 @@
     </message>
     <message>
         <source>The strip kept for turning.</source>
-        <translation>De strook om te draaien.</translation>
+        <translation>De strook om te keren.</translation>
     </message>
     <message>
         <source>The swaths in the order and direction that you type.</source>
@@ -3807,7 +3807,7 @@
     </message>
     <message>
         <source>The way from %1 to %2</source>
-        <translation>De weg %1 → %2</translation>
+        <translation>De verplaatsing %1 → %2</translation>
     </message>
     <message>
         <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
@@ -3843,7 +3843,7 @@
     </message>
     <message>
         <source>Time and way do not fit the speed in %1.</source>
-        <translation>Tijd en weg passen op %1 niet bij de snelheid.</translation>
+        <translation>Tijd en afstand passen op %1 niet bij de snelheid.</translation>
     </message>
     <message>
         <source>Time to lift</source>
@@ -3859,7 +3859,7 @@
     </message>
     <message>
         <source>Trailed sprayer, 24 m boom</source>
-        <translation>Getrokken spuit, boom 24 m</translation>
+        <translation>Getrokken veldspuit, boom 24 m</translation>
     </message>
     <message>
         <source>Tramline every</source>
@@ -3867,7 +3867,7 @@
     </message>
     <message>
         <source>Transfer speed</source>
-        <translation>Rijsnelheid zonder werk</translation>
+        <translation>Snelheid bij verplaatsen</translation>
     </message>
     <message>
         <source>Transport width</source>
@@ -3919,19 +3919,19 @@
     </message>
     <message>
         <source>Ways</source>
-        <translation>Wegen</translation>
+        <translation>Verplaatsingen</translation>
     </message>
     <message>
         <source>Ways keep to the field&apos;s edge.</source>
-        <translation>Wegen blijven aan de rand van het perceel.</translation>
+        <translation>Verplaatsingen blijven aan de rand van het perceel.</translation>
     </message>
     <message>
         <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
-        <translation>Wegen blijven op de kopakker; over gewas en zaaibed wordt niet gereden.</translation>
+        <translation>Verplaatsingen blijven op de kopakker; over gewas en zaaibed wordt niet gereden.</translation>
     </message>
     <message>
         <source>Ways may cross worked land.</source>
-        <translation>Wegen mogen over de binnenakker gaan.</translation>
+        <translation>Verplaatsingen mogen over de binnenakker gaan.</translation>
     </message>
     <message>
         <source>Well-known text</source>
@@ -3943,11 +3943,11 @@
     </message>
     <message>
         <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
-        <translation>Wat alles tot de perceelsgrens houdt; auto is de nauwkeurigheid van de perceelsgrens.</translation>
+        <translation>Afstand die alles tot de perceelsgrens houdt; auto is de nauwkeurigheid van de perceelsgrens.</translation>
     </message>
     <message>
         <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
-        <translation>Hoe ver het werktuig over de perceelsgrens en obstakels mag staan, met de secties daar uitgeschakeld; de trekker en alle wielen blijven binnen.</translation>
+        <translation>Hoe ver het werktuig over de perceelsgrens en obstakels mag steken, met de secties daar uitgeschakeld; de trekker en alle wielen blijven binnen.</translation>
     </message>
     <message>
         <source>What is spread or gathered on a square metre, in the same unit.</source>
@@ -3959,7 +3959,7 @@
     </message>
     <message>
         <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
-        <translation>Waarvoor gereden wordt: bepaalt wanneer de kopakker bewerkt wordt, wegen en overlap.</translation>
+        <translation>Waarvoor gereden wordt: bepaalt wanneer de kopakker bewerkt wordt, de verplaatsingen en de overlap.</translation>
     </message>
     <message>
         <source>What the machine is called.</source>
@@ -4011,7 +4011,7 @@
     </message>
     <message>
         <source>Width in operating widths; auto leaves room for the turns.</source>
-        <translation>Breedte in werkbreedtes; auto laat ruimte voor de draaien.</translation>
+        <translation>Breedte in werkbreedtes; auto laat ruimte om te keren.</translation>
     </message>
     <message>
         <source>Width the tractor occupies, wheels included.</source>
@@ -4019,11 +4019,11 @@
     </message>
     <message>
         <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
-        <translation>Breedte als het voor de weg is opgeklapt, door inritten en op wegen erin en eruit; zonder opgave de geheven breedte.</translation>
+        <translation>Breedte als het voor de weg is opgeklapt, door inritten en bij het in- en uitrijden; zonder opgave de breedte bij het keren.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
-        <translation>Breedte terwijl het werktuig voor een draai geheven of opgeklapt is; de werkbreedte waar ze niet opgegeven is.</translation>
+        <translation>Breedte terwijl het werktuig bij het keren geheven of opgeklapt is; zonder opgave de werkbreedte.</translation>
     </message>
     <message>
         <source>Width worked in one pass.</source>
@@ -4031,7 +4031,7 @@
     </message>
     <message>
         <source>Without reversing, the wheels turned no faster than the machine can (clothoids).</source>
-        <translation>Zonder achteruit, de wielen niet sneller gedraaid dan de machine kan (clothoïden).</translation>
+        <translation>Zonder achteruitrijden, de wielen niet sneller gedraaid dan de machine kan (clothoïden).</translation>
     </message>
     <message>
         <source>Work it along the boundary, before or after the swaths.</source>
@@ -4111,7 +4111,7 @@
     </message>
     <message>
         <source>a track that ended %1 from where it began was closed</source>
-        <translation>een spoor dat %1 van zijn begin eindigde is gesloten</translation>
+        <translation>een opgenomen rit die %1 van het begin eindigde, is gesloten</translation>
     </message>
     <message>
         <source>a value of its own</source>
@@ -4255,11 +4255,11 @@
     </message>
     <message>
         <source>did you mean &apos;%1&apos;?</source>
-        <translation>bedoeld ‘%1’?</translation>
+        <translation>bedoelde u ‘%1’?</translation>
     </message>
     <message>
         <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
-        <translation>bedoeld ‘%1’? gebruik een van: %2; of geef een machinebestand (.json)</translation>
+        <translation>bedoelde u ‘%1’? gebruik een van: %2; of geef een machinebestand (.json)</translation>
     </message>
     <message>
         <source>download the file and give its path</source>
@@ -4311,7 +4311,7 @@
     </message>
     <message>
         <source>export the field again in WGS84 (longitude and latitude)</source>
-        <translation>exporteer het perceel opnieuw in WGS84 (lengte en breedte)</translation>
+        <translation>exporteer het perceel opnieuw in WGS84 (lengte- en breedtegraden)</translation>
     </message>
     <message>
         <source>export the field with its boundary</source>
@@ -4451,7 +4451,7 @@
     </message>
     <message>
         <source>give each point as [longitude, latitude]</source>
-        <translation>geef elk punt als [lengte, breedte]</translation>
+        <translation>geef elk punt als [lengtegraad, breedtegraad]</translation>
     </message>
     <message>
         <source>give heights as a GeoTIFF or an ASCII grid</source>
@@ -4527,7 +4527,7 @@
     </message>
     <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
-        <translation>geef de punten in graden (WGS84), lengte in lon en breedte in lat</translation>
+        <translation>geef de punten in graden (WGS84), de lengtegraad in lon en de breedtegraad in lat</translation>
     </message>
     <message>
         <source>give true or false</source>
@@ -4543,11 +4543,11 @@
     </message>
     <message>
         <source>guidance patterns whose points do not fit their kind</source>
-        <translation>stuurpatronen waarvan de punten niet bij hun soort passen</translation>
+        <translation>stuurlijnen waarvan de punten niet bij hun soort passen</translation>
     </message>
     <message>
         <source>guidance patterns without a line</source>
-        <translation>stuurpatronen zonder lijn</translation>
+        <translation>stuurlijnen zonder verloop</translation>
     </message>
     <message>
         <source>headland pass %1</source>
@@ -4623,7 +4623,7 @@
     </message>
     <message>
         <source>it is not what a plan&apos;s is</source>
-        <translation>het is niet dat van een plan</translation>
+        <translation>dat is niet zoals in een plan</translation>
     </message>
     <message>
         <source>it lies in none of the %1 fields</source>
@@ -4647,7 +4647,7 @@
     </message>
     <message>
         <source>it needs latitude and longitude, as in 52.09,5.66</source>
-        <translation>die heeft breedte en lengte nodig, zoals 52.09,5.66</translation>
+        <translation>die heeft breedte- en lengtegraad nodig, zoals 52.09,5.66</translation>
     </message>
     <message>
         <source>its buffer is not a length</source>
@@ -4663,7 +4663,7 @@
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; is not known</source>
-        <translation>het coördinatenstelsel &apos;%1&apos; is niet bekend</translation>
+        <translation>het coördinatenstelsel ‘%1’ is niet bekend</translation>
     </message>
     <message>
         <source>its coordinate system cannot be turned into WGS84</source>
@@ -4671,7 +4671,7 @@
     </message>
     <message>
         <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
-        <translation>het coördinatenstelsel zou van &apos;%1&apos; gehaald moeten worden</translation>
+        <translation>het coördinatenstelsel zou van ‘%1’ gehaald moeten worden</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4687,7 +4687,7 @@
     </message>
     <message>
         <source>its kind &apos;%1&apos; is not known</source>
-        <translation>de soort &apos;%1&apos; is niet bekend</translation>
+        <translation>de soort ‘%1’ is niet bekend</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4735,7 +4735,7 @@
     </message>
     <message>
         <source>lines that guide nothing</source>
-        <translation>lijnen die niets sturen</translation>
+        <translation>lijnen waarlangs niet gestuurd wordt</translation>
     </message>
     <message>
         <source>look for a missing comma, quote or brace just before it</source>
@@ -4871,7 +4871,7 @@
     </message>
     <message>
         <source>record or draw its boundary first</source>
-        <translation>neem eerst de perceelsgrens op of teken haar</translation>
+        <translation>neem eerst de perceelsgrens op of teken die</translation>
     </message>
     <message>
         <source>record or export it again</source>
@@ -4927,11 +4927,11 @@
     </message>
     <message>
         <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation>meerdere plannen van &apos;%1&apos; heten &apos;%2&apos;</translation>
+        <translation>meerdere plannen van ‘%1’ heten ‘%2’</translation>
     </message>
     <message>
         <source>simplify it to at most a million</source>
-        <translation>vereenvoudig haar tot hoogstens een miljoen</translation>
+        <translation>vereenvoudig die tot hoogstens een miljoen</translation>
     </message>
     <message>
         <source>such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
@@ -4987,7 +4987,7 @@
     </message>
     <message>
         <source>the coordinates lie outside longitude -180 to 180 and latitude -90 to 90</source>
-        <translation>de coördinaten liggen buiten lengte -180 tot 180 en breedte -90 tot 90</translation>
+        <translation>de coördinaten liggen buiten de lengtegraden -180 tot 180 en breedtegraden -90 tot 90</translation>
     </message>
     <message>
         <source>the curve bends more sharply than this machine can follow (%1 of radius)</source>
@@ -5011,7 +5011,7 @@
     </message>
     <message>
         <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
-        <translation>het perceel &apos;%1&apos; heeft geen plan &apos;%2&apos;</translation>
+        <translation>perceel ‘%1’ heeft geen plan ‘%2’</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -5027,7 +5027,7 @@
     </message>
     <message>
         <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>het perceel is meer dan 100 km groot; %1, %2 ligt het verst van de andere punten</translation>
+        <translation>het perceel reikt over meer dan 100 km; %1, %2 ligt het verst van de andere punten</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5167,7 +5167,7 @@
     </message>
     <message>
         <source>the recorded path is left out: it is damaged</source>
-        <translation>de opgenomen weg is weggelaten: hij is beschadigd</translation>
+        <translation>het opgenomen pad is weggelaten: het is beschadigd</translation>
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
@@ -5211,11 +5211,11 @@
     </message>
     <message>
         <source>the transfer after %1</source>
-        <translation>de overgang na %1</translation>
+        <translation>de verplaatsing na %1</translation>
     </message>
     <message>
         <source>the transfer at %1</source>
-        <translation>de overgang bij %1</translation>
+        <translation>de verplaatsing bij %1</translation>
     </message>
     <message>
         <source>the turn after %1</source>
@@ -5263,7 +5263,7 @@
     </message>
     <message>
         <source>there is no field &apos;%1&apos; in the project</source>
-        <translation>er is geen perceel &apos;%1&apos; in het project</translation>
+        <translation>er is geen perceel ‘%1’ in het project</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>
@@ -5295,7 +5295,7 @@
     </message>
     <message>
         <source>there is no path in it</source>
-        <translation>er zit geen rijweg in</translation>
+        <translation>er zit geen traject in</translation>
     </message>
     <message>
         <source>there is no project format %1</source>
@@ -5327,7 +5327,7 @@
     </message>
     <message>
         <source>this format holds the path of a plan, and there is only a field</source>
-        <translation>dit formaat bevat de rijweg van een plan, en er is alleen een perceel</translation>
+        <translation>dit formaat bevat het traject van een plan, en er is alleen een perceel</translation>
     </message>
     <message>
         <source>this is a folder</source>
@@ -5551,7 +5551,7 @@
     </message>
     <message>
         <source>Receivers may refuse %1: %2.</source>
-        <translation>Ontvangers kunnen %1 weigeren: %2.</translation>
+        <translation>Sommige terminals kunnen %1 weigeren: %2.</translation>
     </message>
     <message>
         <source>some systems do not allow a file of this name</source>
@@ -5643,35 +5643,35 @@
     </message>
     <message>
         <source>the path is not in it</source>
-        <translation>de rijweg staat er niet in</translation>
+        <translation>het traject staat er niet in</translation>
     </message>
     <message>
         <source>place %1 of the path is not where the plan goes next</source>
-        <translation>plaats %1 van de rijweg is niet waar het plan verdergaat</translation>
+        <translation>plaats %1 van het traject is niet waar het plan verdergaat</translation>
     </message>
     <message>
         <source>the path does not begin and end as the plan does</source>
-        <translation>de rijweg begint en eindigt niet zoals het plan</translation>
+        <translation>het traject begint en eindigt niet zoals het plan</translation>
     </message>
     <message>
         <source>the path is %1 long, not %2</source>
-        <translation>de rijweg is %1 lang, niet %2</translation>
+        <translation>het traject is %1 lang, niet %2</translation>
     </message>
     <message>
         <source>the time of place %1 of the path is before that of the place before</source>
-        <translation>de tijd van plaats %1 van de rijweg ligt vóór die van de plaats ervoor</translation>
+        <translation>de tijd van plaats %1 van het traject ligt vóór die van de plaats ervoor</translation>
     </message>
     <message>
         <source>the times of the path stand still</source>
-        <translation>de tijden van de rijweg staan stil</translation>
+        <translation>de tijden van het traject staan stil</translation>
     </message>
     <message>
         <source>the heading at place %1 of the path does not point along it</source>
-        <translation>de richting op plaats %1 van de rijweg wijst er niet langs</translation>
+        <translation>de richting op plaats %1 van het traject wijst er niet langs</translation>
     </message>
     <message>
         <source>the speed at place %1 of the path is negative</source>
-        <translation>de snelheid op plaats %1 van de rijweg is negatief</translation>
+        <translation>de snelheid op plaats %1 van het traject is negatief</translation>
     </message>
     <message>
         <source>its largest speed is %1, not %2</source>
@@ -5679,7 +5679,7 @@
     </message>
     <message>
         <source>line %1 is not as this format has it</source>
-        <translation>regel %1 is niet zoals dit formaat die heeft</translation>
+        <translation>regel %1 is niet volgens dit formaat</translation>
     </message>
     <message>
         <source>this is no %1</source>
@@ -5727,7 +5727,7 @@
     </message>
     <message>
         <source>its shapes have heights or measures, which displays do not read</source>
-        <translation>de vormen hebben hoogtes of maten, die schermen niet lezen</translation>
+        <translation>de vormen hebben hoogten of meetwaarden die displays niet lezen</translation>
     </message>
     <message>
         <source>this is the recording of a drive (%1), and no boundary</source>
@@ -5755,11 +5755,11 @@
     </message>
     <message>
         <source>split line %1 ends %2 short of the headland and cuts nothing off there (decomposition.split); draw it right through</source>
-        <translation>splitlijn %1 eindigt %2 voor de kopakker en snijdt daar niets af (decomposition.split); trek haar helemaal door</translation>
+        <translation>splitlijn %1 eindigt %2 voor de kopakker en snijdt daar niets af (decomposition.split); trek die helemaal door</translation>
     </message>
     <message>
         <source>split line %1 does not lie inside the headland and cuts nothing (decomposition.split)</source>
-        <translation>splitlijn %1 ligt buiten de binnenakker en deelt niets (decomposition.split)</translation>
+        <translation>splitlijn %1 ligt buiten de binnenakker en splitst niets (decomposition.split)</translation>
     </message>
     <message numerus="yes">
         <source>%n swaths shorter than %1 are left out</source>
@@ -5794,7 +5794,7 @@
     </message>
     <message>
         <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
-        <translation>Kortere werkgangen vervallen; automatisch is de lengte van het werktuig.</translation>
+        <translation>Kortere werkgangen vervallen; auto is de lengte van het werktuig.</translation>
     </message>
     <message>
         <source>Prefer edges within (%)</source>
@@ -5810,7 +5810,7 @@
     </message>
     <message>
         <source>The implement stands over the edge of the field or an obstacle, by up to %1, as the overhang allows.</source>
-        <translation>Het werktuig staat tot %1 over de rand van het perceel of een obstakel, zoals de overhang toestaat.</translation>
+        <translation>Het werktuig steekt tot %1 over de rand van het perceel of een obstakel, zoals de overhang toestaat.</translation>
     </message>
     <message>
         <source>%1 within %2 of the centre: tighter than this machine can follow, left out</source>
@@ -5825,7 +5825,7 @@
     </message>
     <message>
         <source>A headland of %1 holds %2; it is %3 wide, and the rest belongs to the swaths</source>
-        <translation>In een kopakker van %1 passen %2; hij is %3 breed, de rest is voor de werkgangen</translation>
+        <translation>Een kopakker van %1 biedt plaats aan %2; hij is %3 breed, de rest is voor de werkgangen</translation>
     </message>
     <message>
         <source>Plan the sides of the obstacle apart.</source>
@@ -5833,11 +5833,11 @@
     </message>
     <message>
         <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
-        <translation>Zet &quot;%1&quot; op &quot;%2&quot;: daarmee is dit verholpen.</translation>
+        <translation>Zet ‘%1’ op ‘%2’: daarmee is dit verholpen.</translation>
     </message>
     <message>
         <source>Swaths along the longest edge</source>
-        <translation>Werkgangen langs de langste rand</translation>
+        <translation>Werkgangen langs de langste zijde</translation>
     </message>
     <message>
         <source>Swaths at a bearing of %1</source>
@@ -5857,7 +5857,7 @@
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
-        <translation>geef één van beide, of een breedte waar precies deze rondgangen in passen</translation>
+        <translation>geef één van beide, of een breedte waar precies deze gangen in passen</translation>
     </message>
     <message>
         <source>headland.width_m and headland.passes do not agree</source>
@@ -5873,7 +5873,7 @@
     </message>
     <message>
         <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
-        <translation>&quot;%1&quot;: &quot;%2&quot; is gepland in plaats van &quot;%3&quot;: %4</translation>
+        <translation>‘%1’: ‘%2’ is gepland in plaats van ‘%3’: %4</translation>
     </message>
     <message>
         <source>%1 are planned instead of the heading with the best estimate: %2</source>
@@ -5881,7 +5881,7 @@
     </message>
     <message>
         <source>it has fewer problems</source>
-        <translation>er staat minder in de weg</translation>
+        <translation>zo zijn er minder problemen</translation>
     </message>
     <message>
         <source>it is %1 s quicker</source>
@@ -5901,7 +5901,7 @@
     </message>
     <message>
         <source>A turn of this machine needs %1 of headland; it is %2 (%3).</source>
-        <translation>Een keerbeweging van deze machine vraagt %1 kopakker; het is %2 (%3).</translation>
+        <translation>Een draai van deze machine vraagt %1 kopakker; het is %2 (%3).</translation>
     </message>
     <message>
         <source>The field is too narrow for this machine to turn in: take a smaller machine, or let the swaths run along the field (%1).</source>
@@ -5913,7 +5913,7 @@
     </message>
     <message>
         <source>No passes are driven in the headland (%1).</source>
-        <translation>Op de kopakker worden geen rondgangen gereden (%1).</translation>
+        <translation>Op de kopakker worden geen gangen gereden (%1).</translation>
     </message>
     <message>
         <source>The chosen swaths (%1) do not reach it.</source>
@@ -5925,7 +5925,7 @@
     </message>
     <message>
         <source>Land that is left is not finished, because that is switched off (%1).</source>
-        <translation>Resten worden niet nabewerkt (%1).</translation>
+        <translation>Resten worden niet nabewerkt, omdat dat uitgeschakeld is (%1).</translation>
     </message>
     <message>
         <source>choose a smaller machine or a smaller margin (%1)</source>
@@ -5969,7 +5969,7 @@
     </message>
     <message>
         <source>The implement is folded on the way from %1 to %2.</source>
-        <translation>Het werktuig is op deze weg opgeklapt: %1 → %2.</translation>
+        <translation>Het werktuig is bij deze verplaatsing opgeklapt: %1 → %2.</translation>
     </message>
     <message>
         <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
@@ -5997,15 +5997,15 @@
     </message>
     <message>
         <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
-        <translation>De minste brandstof voor draaien en wegen; de minste tijd als de machine geen verbruikscijfers heeft.</translation>
+        <translation>De minste brandstof voor draaien en verplaatsingen; de kortste tijd als de machine geen verbruikscijfers heeft.</translation>
     </message>
     <message>
         <source>The least time for turns and ways.</source>
-        <translation>De minste tijd voor draaien en wegen.</translation>
+        <translation>De kortste tijd voor draaien en verplaatsingen.</translation>
     </message>
     <message>
         <source>The shortest turns and ways.</source>
-        <translation>De kortste draaien en wegen.</translation>
+        <translation>De kortste draaien en verplaatsingen.</translation>
     </message>
     <message>
         <source>Time</source>
@@ -6021,11 +6021,11 @@
     </message>
     <message>
         <source>Locked</source>
-        <translation>Vast</translation>
+        <translation>Vastgelegd</translation>
     </message>
     <message>
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
-        <translation>Nummers van werkgangen die in deze volgorde op elkaar volgen; een min rijdt er een andersom. De volgorde van de andere wordt gezocht.</translation>
+        <translation>Werkgangnummers die in deze volgorde op elkaar volgen; een min rijdt er een andersom. De volgorde van de andere wordt gezocht.</translation>
     </message>
     <message>
         <source>Ends of swaths</source>
@@ -6061,7 +6061,7 @@
     </message>
     <message>
         <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
-        <translation>Hoogste aantal stroken dat tussen gereden werkgangen voor later open blijft. Met 0 keert de machine nooit terug naar een gat, zodat een tweede kan volgen; ‘auto’ stelt geen grens.</translation>
+        <translation>Hoogste aantal stroken dat tussen gereden werkgangen voor later open blijft. Met 0 keert de machine nooit terug naar een gat, zodat een tweede kan volgen; auto stelt geen grens.</translation>
     </message>
     <message>
         <source>Open strips</source>
@@ -6069,11 +6069,11 @@
     </message>
     <message>
         <source>The number of the swath that is driven first; auto takes any.</source>
-        <translation>Het nummer van de werkgang die het eerst wordt gereden; ‘auto’ neemt een willekeurige.</translation>
+        <translation>Het nummer van de werkgang die het eerst wordt gereden; auto neemt een willekeurige.</translation>
     </message>
     <message>
         <source>The number of the swath that is driven last; auto takes any.</source>
-        <translation>Het nummer van de werkgang die het laatst wordt gereden; ‘auto’ neemt een willekeurige.</translation>
+        <translation>Het nummer van de werkgang die het laatst wordt gereden; auto neemt een willekeurige.</translation>
     </message>
     <message>
         <source>allow more open strips, or lock fewer swaths</source>
@@ -6093,11 +6093,11 @@
     </message>
     <message>
         <source>%1 are driven outside of the field</source>
-        <translation>%1 wordt buiten het perceel gereden</translation>
+        <translation>Buiten het perceel wordt %1 bereden</translation>
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
-        <translation>%1 kost %2 meer dan de langste rand (%3)</translation>
+        <translation>%1 kost %2 meer dan de langste zijde (%3)</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
@@ -6105,7 +6105,7 @@
     </message>
     <message>
         <source>%1 is as quick as the longest edge (%2)</source>
-        <translation>%1 is even snel als de langste rand (%2)</translation>
+        <translation>%1 is even snel als de langste zijde (%2)</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -6121,11 +6121,11 @@
     </message>
     <message>
         <source>%1 runs along the longest edge</source>
-        <translation>%1 loopt langs de langste rand</translation>
+        <translation>%1 loopt langs de langste zijde</translation>
     </message>
     <message>
         <source>%1 saves %2 against the longest edge (%3)</source>
-        <translation>%1 bespaart %2 tegenover de langste rand (%3)</translation>
+        <translation>%1 bespaart %2 tegenover de langste zijde (%3)</translation>
     </message>
     <message>
         <source>%1 × %2, %3 each</source>
@@ -6161,8 +6161,8 @@
     <message numerus="yes">
         <source>%n passes of %1</source>
         <translation>
-            <numerusform>%n werkgang van %1</numerusform>
-            <numerusform>%n werkgangen van %1</numerusform>
+            <numerusform>%n gang van %1</numerusform>
+            <numerusform>%n gangen van %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -6174,15 +6174,15 @@
     </message>
     <message>
         <source>Cut into %1 pieces where swaths are interrupted, joined to %2.</source>
-        <translation>In %1 stukken gedeeld waar werkgangen onderbroken zijn, samengevoegd tot %2.</translation>
+        <translation>In %1 stukken gesplitst waar werkgangen onderbroken zijn, samengevoegd tot %2.</translation>
     </message>
     <message>
         <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
-        <translation>In %1 stukken gedeeld waar werkgangen onderbroken zijn; samengevoegd tot %2 bespaart dat %3 aan keren en rijden.</translation>
+        <translation>In %1 stukken gesplitst waar werkgangen onderbroken zijn; samengevoegd tot %2 bespaart dat %3 aan draaien en verplaatsingen.</translation>
     </message>
     <message>
         <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
-        <translation>Randen waar werkgangen langs lopen krijgen %1, randen waar ze eindigen tot %2: keren met deze machine vraagt %3.</translation>
+        <translation>Zijden waar werkgangen langs lopen krijgen %1, zijden waar ze eindigen tot %2: keren met deze machine vraagt %3.</translation>
     </message>
     <message>
         <source>Everything keeps %1 from the boundary, as chosen.</source>
@@ -6201,7 +6201,7 @@
     </message>
     <message>
         <source>No heading that was tried covers more: %1 inside the headland.</source>
-        <translation>Geen geprobeerde richting bewerkt meer: %1 binnen de kopakker.</translation>
+        <translation>Geen geprobeerde richting bewerkt meer: %1 van de binnenakker.</translation>
     </message>
     <message numerus="yes">
         <source>No heading that was tried has fewer than %n swaths.</source>
@@ -6228,7 +6228,7 @@
     </message>
     <message>
         <source>Nothing divides the swaths: one block.</source>
-        <translation>Niets deelt de werkgangen: één deelperceel.</translation>
+        <translation>Niets splitst de werkgangen: één deelperceel.</translation>
     </message>
     <message>
         <source>Nothing stands outside of the field</source>
@@ -6236,7 +6236,7 @@
     </message>
     <message>
         <source>One pass all round works the whole field.</source>
-        <translation>Eén rondgang bewerkt het hele perceel.</translation>
+        <translation>Eén gang rondom bewerkt het hele perceel.</translation>
     </message>
     <message numerus="yes">
         <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
@@ -6247,11 +6247,11 @@
     </message>
     <message>
         <source>The longest way without work, %1, follows %2.</source>
-        <translation>De langste weg zonder werk, %1, volgt op %2.</translation>
+        <translation>De langste verplaatsing zonder werk, %1, volgt op %2.</translation>
     </message>
     <message>
         <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
-        <translation>Geen kopakker, zoals gekozen. Keren reikt %1 voorbij het einde van de werkgangen.</translation>
+        <translation>Geen kopakker, zoals gekozen. Draaien reiken tot %1 voorbij het einde van de werkgangen.</translation>
     </message>
     <message>
         <source>Turns take %1 less than with the pattern “%2” (%3).</source>
@@ -6319,19 +6319,19 @@
     </message>
     <message>
         <source>there is no way to drive</source>
-        <translation>er is geen weg om te rijden</translation>
+        <translation>er is geen traject om te rijden</translation>
     </message>
     <message>
         <source>turn on the spot</source>
-        <translation>draai ter plaatse</translation>
+        <translation>draai op de plaats</translation>
     </message>
     <message>
         <source>turn with reversing</source>
-        <translation>keren met achteruitrijden</translation>
+        <translation>draai met achteruitrijden</translation>
     </message>
     <message>
         <source>way straight on</source>
-        <translation>weg rechtdoor</translation>
+        <translation>rechtdoor rijden</translation>
     </message>
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
@@ -6414,7 +6414,7 @@
     </message>
     <message>
         <source>Same as this computer</source>
-        <translation>Zoals deze computer</translation>
+        <translation>Zoals op deze computer</translation>
     </message>
     <message>
         <source>Units</source>
@@ -6422,15 +6422,15 @@
     </message>
     <message>
         <source>Metres, hectares, km/h</source>
-        <translation>Meters, hectaren, km/h</translation>
+        <translation>Meter, hectare, km/h</translation>
     </message>
     <message>
         <source>Feet, acres, mph</source>
-        <translation>Voeten, acres, mph</translation>
+        <translation>Voet, acre, mph</translation>
     </message>
     <message>
         <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
-        <translation>Velden nemen beide: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Bestanden bevatten altijd meters.</translation>
+        <translation>Invoervelden begrijpen beide: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Bestanden bevatten altijd meters.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6456,7 +6456,7 @@
     </message>
     <message>
         <source>Pages of</source>
-        <translation>Pagina&apos;s van</translation>
+        <translation>Pagina&apos;s voor</translation>
     </message>
     <message>
         <source>This field</source>
@@ -6814,7 +6814,7 @@
     </message>
     <message>
         <source>Press and trace it with the pointer, to %1</source>
-        <translation>Druk en volg het met de aanwijzer, tot op %1</translation>
+        <translation>Druk en trek het met de aanwijzer na, tot op %1</translation>
     </message>
 </context>
 <context>
@@ -6908,11 +6908,11 @@
     <name>Tour</name>
     <message>
         <source>Get a field</source>
-        <translation>Een perceel nemen</translation>
+        <translation>Een perceel kiezen</translation>
     </message>
     <message>
         <source>Open its boundary, draw it, or press here for a sample.</source>
-        <translation>Open de grens, teken haar, of druk hier voor een voorbeeld.</translation>
+        <translation>Open de grens, teken die, of druk hier voor een voorbeeld.</translation>
     </message>
     <message>
         <source>Choose your machine</source>
@@ -7050,7 +7050,7 @@
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
+        <translation>%1 u %2 min</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -7096,7 +7096,7 @@
     <name>WindowDialogs</name>
     <message>
         <source>Everything at %1 %</source>
-        <translation>Alles op %1 %</translation>
+        <translation>Weergave op %1 %</translation>
     </message>
     <message>
         <source>This holds from the next start of Furrow.</source>
@@ -7147,8 +7147,8 @@
     <message numerus="yes">
         <source>Not drivable: %n problem(s)</source>
         <translation>
-            <numerusform>Niet te rijden: %n probleem</numerusform>
-            <numerusform>Niet te rijden: %n problemen</numerusform>
+            <numerusform>Niet uitvoerbaar: %n probleem</numerusform>
+            <numerusform>Niet uitvoerbaar: %n problemen</numerusform>
         </translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@
     </message>
     <message>
         <source>Turning</source>
-        <translation>Draaien</translation>
+        <translation>Keren</translation>
     </message>
     <message>
         <source>Covered</source>
@@ -7254,7 +7254,7 @@
     </message>
     <message>
         <source>Width in turns</source>
-        <translation>Breedte bij draaien</translation>
+        <translation>Breedte bij het keren</translation>
     </message>
     <message>
         <source>Turning radius</source>
@@ -7266,7 +7266,7 @@
     </message>
     <message>
         <source>Speed in turns</source>
-        <translation>Snelheid bij draaien</translation>
+        <translation>Snelheid bij het keren</translation>
     </message>
     <message>
         <source>Implement</source>
@@ -7489,7 +7489,7 @@
     </message>
     <message>
         <source>State</source>
-        <translation>Stand</translation>
+        <translation>Status</translation>
     </message>
     <message>
         <source>Page</source>
@@ -7497,7 +7497,7 @@
     </message>
     <message>
         <source>Not drivable</source>
-        <translation>Niet te rijden</translation>
+        <translation>Niet uitvoerbaar</translation>
     </message>
     <message>
         <source>Total</source>
@@ -7569,7 +7569,7 @@
     </message>
     <message>
         <source>mends the plan</source>
-        <translation>maakt het plan rijdbaar</translation>
+        <translation>maakt het plan uitvoerbaar</translation>
     </message>
     <message>
         <source>the same time</source>
@@ -7600,7 +7600,7 @@
     </message>
     <message>
         <source>implement folded</source>
-        <translation>werktuig ingeklapt</translation>
+        <translation>werktuig opgeklapt</translation>
     </message>
     <message>
         <source>implement up</source>
@@ -7608,7 +7608,7 @@
     </message>
     <message>
         <source>%1 done</source>
-        <translation>%1 gedaan</translation>
+        <translation>%1 bewerkt</translation>
     </message>
     <message>
         <source>wheels straight</source>
@@ -7639,7 +7639,7 @@
     </message>
     <message>
         <source>Positions within one and a half widths of it; the figures are of these</source>
-        <translation>Plaatsen binnen anderhalve breedte; de cijfers gelden voor deze</translation>
+        <translation>Posities binnen anderhalve breedte; de cijfers gelden hiervoor</translation>
     </message>
     <message>
         <source>Half are within</source>
@@ -7651,7 +7651,7 @@
     </message>
     <message>
         <source>Farthest</source>
-        <translation>Het verst</translation>
+        <translation>Grootste afstand</translation>
     </message>
     <message>
         <source>On average to the right</source>
@@ -7778,11 +7778,11 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Plant …</translation>
+        <translation>Plannen…</translation>
     </message>
     <message>
         <source>Drivable</source>
-        <translation>Te rijden</translation>
+        <translation>Uitvoerbaar</translation>
     </message>
     <message numerus="yes">
         <source>%n problem(s)</source>
@@ -7811,7 +7811,7 @@
     </message>
     <message>
         <source>%1 drivable</source>
-        <translation>%1 te rijden</translation>
+        <translation>%1 uitvoerbaar</translation>
     </message>
 </context>
 <context>
@@ -7885,7 +7885,7 @@
     </message>
     <message>
         <source>Headland of an edge as elsewhere</source>
-        <translation>Kopakker van een zijde als elders</translation>
+        <translation>Kopakker van een zijde zoals elders</translation>
     </message>
     <message>
         <source>Move a point</source>
@@ -8053,7 +8053,7 @@
     </message>
     <message>
         <source>What is left inside the headland</source>
-        <translation>Wat binnen de kopakker overblijft</translation>
+        <translation>De binnenakker: wat zonder de kopakker overblijft</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -8061,7 +8061,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Rijweg</translation>
+        <translation>Traject</translation>
     </message>
     <message>
         <source>Everything that is driven</source>
@@ -8069,11 +8069,11 @@
     </message>
     <message>
         <source>Working</source>
-        <translation>Werk</translation>
+        <translation>Werken</translation>
     </message>
     <message>
         <source>Turning</source>
-        <translation>Draaien</translation>
+        <translation>Keren</translation>
     </message>
     <message>
         <source>Time</source>
@@ -8085,7 +8085,7 @@
     </message>
     <message>
         <source>Share of the field that is worked, measured on the finished path</source>
-        <translation>Bewerkt deel van het perceel, gemeten op de voltooide rijweg</translation>
+        <translation>Bewerkt deel van het perceel, gemeten op het voltooide traject</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -8105,7 +8105,7 @@
     </message>
     <message>
         <source>Missed</source>
-        <translation>Gemist</translation>
+        <translation>Gemiste plekken</translation>
     </message>
     <message>
         <source>Outside the field</source>
@@ -8312,7 +8312,7 @@
     </message>
     <message>
         <source>path %1</source>
-        <translation>weg %1</translation>
+        <translation>traject %1</translation>
     </message>
     <message>
         <source>covered %1</source>
@@ -8339,7 +8339,7 @@
     </message>
     <message>
         <source>Path</source>
-        <translation>Route</translation>
+        <translation>Traject</translation>
     </message>
     <message>
         <source>Working</source>
@@ -8347,7 +8347,7 @@
     </message>
     <message>
         <source>Turning</source>
-        <translation>Draaien</translation>
+        <translation>Keren</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -8612,7 +8612,7 @@
     </message>
     <message>
         <source>Type something from %1 to %2.</source>
-        <translation>Typ iets van %1 tot %2.</translation>
+        <translation>Typ een waarde van %1 tot %2.</translation>
     </message>
     <message>
         <source>%1 mi</source>
@@ -8636,7 +8636,7 @@
     </message>
     <message>
         <source>This is not a time. Type it like 45 s or 2 min.</source>
-        <translation>Dit is geen tijd. Typ hem als 45 s of 2 min.</translation>
+        <translation>Dit is geen tijd. Typ bijvoorbeeld 45 s of 2 min.</translation>
     </message>
 </context>
 <context>
@@ -8653,7 +8653,7 @@
     <name>furrow::ReviewModel</name>
     <message>
         <source>Only a finished plan of what the panels show can be sent.</source>
-        <translation>Alleen een afgerond plan van wat de panelen tonen kan worden verstuurd.</translation>
+        <translation>Alleen een afgerond plan bij de getoonde instellingen kan worden verstuurd.</translation>
     </message>
     <message>
         <source>Approved: %1</source>
@@ -8705,7 +8705,7 @@
     </message>
     <message>
         <source>Written: %1. Whoever has Furrow can open it, comment on it and send it back.</source>
-        <translation>Geschreven: %1. Wie Furrow heeft, kan het openen, van opmerkingen voorzien en terugsturen.</translation>
+        <translation>Geschreven: %1. Wie Furrow heeft, kan het bestand openen, van opmerkingen voorzien en terugsturen.</translation>
     </message>
     <message>
         <source>Take in a review</source>
@@ -8860,8 +8860,8 @@
     <message numerus="yes">
         <source>%n note(s)</source>
         <translation>
-            <numerusform>%n opmerking</numerusform>
-            <numerusform>%n opmerkingen</numerusform>
+            <numerusform>%n bevinding</numerusform>
+            <numerusform>%n bevindingen</numerusform>
         </translation>
     </message>
     <message>
@@ -8909,7 +8909,7 @@
     </message>
     <message>
         <source>every byte was read back, and the plan read from there is this plan.</source>
-        <translation>elke byte is teruggelezen, en het plan van daar is dit plan.</translation>
+        <translation>elke byte is teruggelezen, en het gelezen plan is gelijk aan dit plan.</translation>
     </message>
     <message>
         <source>every byte was read back and is as written.</source>

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Furrow plans how a machine covers a farm field.</source>
-        <translation>O Furrow planeja como uma máquina percorre um talhão.</translation>
+        <translation>O Furrow planeja como uma máquina trabalha um talhão.</translation>
     </message>
     <message>
         <source>Free software under the BSD 3-Clause licence: use it, change it and pass it on, without any warranty.</source>
@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>The methods follow the Fields2Cover paper (Mier, Valente and de Bruin, 2023) and the sources that the design names.</source>
-        <translation>Os métodos seguem o artigo do Fields2Cover (Mier, Valente e de Bruin, 2023) e as fontes que o projeto cita.</translation>
+        <translation>Os métodos seguem o artigo do Fields2Cover (Mier, Valente e de Bruin, 2023) e as fontes citadas no documento de projeto.</translation>
     </message>
     <message>
         <source>Built with %1.</source>
@@ -60,7 +60,7 @@
     </message>
     <message>
         <source>farm</source>
-        <translation>propriedade</translation>
+        <translation>fazenda propriedade</translation>
     </message>
     <message>
         <source>Open…</source>
@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>Layer: driven over often</source>
-        <translation>Camada: muito transitado</translation>
+        <translation>Camada: passagens de roda</translation>
     </message>
     <message>
         <source>wheel passes traffic compaction</source>
@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>Size of everything</source>
-        <translation>Tamanho de tudo</translation>
+        <translation>Tamanho da interface</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>Other choices are planned, and the quickest plan that can be driven is taken. Margins, overlap and what the operation needs stay as they are.</source>
-        <translation>Outras escolhas são planejadas e o plano percorrível mais rápido é usado. Margens, sobreposição e o que a operação exige ficam como estão.</translation>
+        <translation>Outras escolhas são planejadas e o plano executável mais rápido é usado. Margens, sobreposição e o que a operação exige ficam como estão.</translation>
     </message>
     <message>
         <source>May change</source>
@@ -599,7 +599,7 @@
     </message>
     <message>
         <source>%1 (set by you)</source>
-        <translation>%1 (por você)</translation>
+        <translation>%1 (sua escolha)</translation>
     </message>
     <message>
         <source>Best plan</source>
@@ -689,8 +689,8 @@
     <message numerus="yes">
         <source>%n other(s) are slower still, or cannot be driven.</source>
         <translation>
-            <numerusform>%n outra é ainda mais lenta ou não é percorrível.</numerusform>
-            <numerusform>%n outras são ainda mais lentas ou não são percorríveis.</numerusform>
+            <numerusform>%n outra é ainda mais lenta ou não é executável.</numerusform>
+            <numerusform>%n outras são ainda mais lentas ou não são executáveis.</numerusform>
         </translation>
     </message>
 </context>
@@ -728,7 +728,7 @@
     </message>
     <message>
         <source>Click the place that you want to comment on. Esc ends it.</source>
-        <translation>Clique no lugar que quer comentar. Esc termina.</translation>
+        <translation>Clique no lugar que quer comentar. Esc para encerrar.</translation>
     </message>
 </context>
 <context>
@@ -774,7 +774,7 @@
     </message>
     <message>
         <source>The other plan is being made …</source>
-        <translation>O outro plano está sendo feito …</translation>
+        <translation>O outro plano está sendo calculado…</translation>
     </message>
     <message>
         <source>This plan</source>
@@ -790,19 +790,19 @@
     </message>
     <message>
         <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>No mapa: linhas contínuas só neste plano, tracejadas só no outro.</translation>
+        <translation>No mapa: linhas contínuas, só neste plano; tracejadas, só no outro.</translation>
     </message>
     <message>
         <source>Hold to see the other plan (key X)</source>
-        <translation>Segurar: o outro plano (tecla X)</translation>
+        <translation>Segure para ver o outro plano (tecla X)</translation>
     </message>
     <message>
         <source>What was chosen otherwise</source>
-        <translation>O que foi escolhido diferente</translation>
+        <translation>Escolhas diferentes</translation>
     </message>
     <message>
         <source>Machine and settings are the same.</source>
-        <translation>Máquina e ajustes são iguais.</translation>
+        <translation>Máquina e configurações são iguais.</translation>
     </message>
     <message>
         <source>%1 → %2</source>
@@ -960,8 +960,8 @@
     <message numerus="yes">
         <source>%n check(s) passed: nothing in the files that receivers stumble over.</source>
         <translation>
-            <numerusform>%n verificação aprovada: nada nos arquivos em que os terminais tropecem.</numerusform>
-            <numerusform>%n verificações aprovadas: nada nos arquivos em que os terminais tropecem.</numerusform>
+            <numerusform>%n verificação aprovada: nada nos arquivos que cause problemas nos terminais.</numerusform>
+            <numerusform>%n verificações aprovadas: nada nos arquivos que cause problemas nos terminais.</numerusform>
         </translation>
     </message>
 </context>
@@ -1177,7 +1177,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Planejando …</translation>
+        <translation>Planejando…</translation>
     </message>
     <message>
         <source>All are planned</source>
@@ -1185,7 +1185,7 @@
     </message>
     <message>
         <source>Machine and settings of this plan</source>
-        <translation>Máquina e ajustes deste plano</translation>
+        <translation>Máquina e configurações deste plano</translation>
     </message>
     <message>
         <source>Add a plan to each…</source>
@@ -1227,7 +1227,7 @@
     <message numerus="yes">
         <source>Which of the %n field(s)?</source>
         <translation>
-            <numerusform>É este %n talhão?</numerusform>
+            <numerusform>Qual talhão (%n)?</numerusform>
             <numerusform>Qual dos %n talhões?</numerusform>
         </translation>
     </message>
@@ -1325,7 +1325,7 @@
     </message>
     <message>
         <source>missed</source>
-        <translation>não feito</translation>
+        <translation>falhas</translation>
     </message>
     <message>
         <source>turning</source>
@@ -1429,7 +1429,7 @@
     </message>
     <message>
         <source>Try again</source>
-        <translation>Tentar novamente</translation>
+        <translation>Tentar de novo</translation>
     </message>
 </context>
 <context>
@@ -1516,7 +1516,7 @@
     </message>
     <message>
         <source>It is not worked, and nothing drives nearer than its buffer.</source>
-        <translation>Não é trabalhado, e nada se aproxima mais que a distância.</translation>
+        <translation>Não é trabalhado, e nada chega mais perto que essa distância.</translation>
     </message>
     <message>
         <source>Buffer</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>Way from %1 to %2</source>
-        <translation>Caminho: %1 → %2</translation>
+        <translation>Deslocamento: %1 → %2</translation>
     </message>
     <message>
         <source>%1 without working, in %2.</source>
@@ -1655,7 +1655,7 @@
     </message>
     <message>
         <source>Driven as number %1 of %2: %3 in %4.</source>
-        <translation>Percorrida como número %1 de %2: %3 em %4.</translation>
+        <translation>Feita como número %1 de %2: %3 em %4.</translation>
     </message>
     <message>
         <source>From the edge</source>
@@ -1694,7 +1694,7 @@
     </message>
     <message>
         <source>Swaths along it</source>
-        <translation>Passadas ao longo</translation>
+        <translation>Passadas paralelas</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>finish drawing; type into the inspector</source>
-        <translation>concluir o desenho; digitar no inspetor</translation>
+        <translation>concluir o desenho; digitar no painel da direita</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -1800,7 +1800,7 @@
     </message>
     <message>
         <source>Directions</source>
-        <translation>Sentidos</translation>
+        <translation>Sentido de marcha</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -2103,7 +2103,7 @@
     <name>Pickers</name>
     <message>
         <source>Click the place on the map. Esc ends it.</source>
-        <translation>Clique no lugar no mapa. Esc encerra.</translation>
+        <translation>Clique no lugar no mapa. Esc para encerrar.</translation>
     </message>
 </context>
 <context>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>%1 crosses an obstacle, by %2.</source>
-        <translation>%1 cruza um obstáculo, %2.</translation>
+        <translation>%1 avança %2 sobre um obstáculo.</translation>
     </message>
     <message>
         <source>%1 crosses an obstacle.</source>
@@ -2217,11 +2217,11 @@
     </message>
     <message>
         <source>%1 leaves the field or crosses an obstacle, by up to %2, as this plan allows.</source>
-        <translation>%1 sai do talhão ou cruza um obstáculo, até %2, como este plano permite.</translation>
+        <translation>%1 sai do talhão ou avança sobre um obstáculo, em até %2, como este plano permite.</translation>
     </message>
     <message>
         <source>%1 moves %2 off where the machine points.</source>
-        <translation>%1 avança a %2 de onde a máquina aponta.</translation>
+        <translation>%1 se desvia %2 do rumo da máquina.</translation>
     </message>
     <message>
         <source>%1 needs %2</source>
@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
-        <translation>%1 devolve outros bytes que os gravados</translation>
+        <translation>%1, relido, não é igual ao que foi gravado</translation>
     </message>
     <message>
         <source>%1 small patches of worked pixels are left out</source>
@@ -2249,7 +2249,7 @@
     </message>
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
-        <translation>%1 passadas e manobras saem do talhão ou cruzam um obstáculo, até %2, como este plano permite.</translation>
+        <translation>%1 passadas e manobras saem do talhão ou avançam sobre um obstáculo, em até %2, como este plano permite.</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2427,7 +2427,7 @@
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no latitude and longitude</source>
-        <translation>&apos;%1&apos;, &apos;%2&apos; não é latitude e longitude</translation>
+        <translation>“%1”, “%2” não é latitude e longitude</translation>
     </message>
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
@@ -2439,15 +2439,15 @@
     </message>
     <message>
         <source>A bulb to both sides; for swaths nearer than two turning radii.</source>
-        <translation>Com bojo para os dois lados; para passadas a menos de dois raios de giro.</translation>
+        <translation>Abre para os dois lados; para passadas a menos de dois raios de giro.</translation>
     </message>
     <message>
         <source>A bulb to one side and straight back; for swaths nearer than two turning radii.</source>
-        <translation>Com bojo para um lado e volta reta; para passadas a menos de dois raios de giro.</translation>
+        <translation>Abre para um lado e volta reto; para passadas a menos de dois raios de giro.</translation>
     </message>
     <message>
         <source>A block gets a heading of its own where that saves time.</source>
-        <translation>Um subtalhão tem direção própria onde isso poupa tempo.</translation>
+        <translation>Um subtalhão tem direção própria onde isso economiza tempo.</translation>
     </message>
     <message>
         <source>A file of lines: planted rows, or the tramlines of a plan.</source>
@@ -2455,7 +2455,7 @@
     </message>
     <message>
         <source>A gate&apos;s name or a point; the first gate where nothing is given.</source>
-        <translation>Nome de uma entrada ou um ponto; a primeira entrada onde nada é dado.</translation>
+        <translation>Nome de uma entrada ou um ponto; a primeira entrada se nada for informado.</translation>
     </message>
     <message>
         <source>A goal of opennav_coverage has one outline: %1 of %2 parts are left out.</source>
@@ -2471,7 +2471,7 @@
     </message>
     <message>
         <source>A snake within each cluster of swaths, cluster after cluster.</source>
-        <translation>Uma serpente em cada grupo de passadas, grupo após grupo.</translation>
+        <translation>Uma serpentina em cada grupo de passadas, grupo após grupo.</translation>
     </message>
     <message>
         <source>A strip of the same width along the boundary and around obstacles, for turning.</source>
@@ -2591,7 +2591,7 @@
     </message>
     <message>
         <source>Choose the best that fits, which takes the quickest everywhere.</source>
-        <translation>Escolha a melhor que couber: ela usa em toda parte a mais rápida.</translation>
+        <translation>Escolha “A melhor que cabe”, que usa em toda parte a mais rápida.</translation>
     </message>
     <message>
         <source>Joined where that is quicker</source>
@@ -2663,7 +2663,7 @@
     </message>
     <message>
         <source>Boundary and guidance lines for Trimble and FM displays; no driving order.</source>
-        <translation>Limite e linhas de orientação para monitores Trimble e FM; sem ordem.</translation>
+        <translation>Limite e linhas de orientação para monitores Trimble e FM; sem ordem das passadas.</translation>
     </message>
     <message>
         <source>Boundary, headland, heading and order; the robot lays swaths and turns itself.</source>
@@ -2675,11 +2675,11 @@
     </message>
     <message>
         <source>Boundary, holes, obstacles and guidance lines for older terminals; no headland, no driving order.</source>
-        <translation>Limite, vazios, obstáculos e linhas de orientação para terminais antigos; sem cabeceira nem ordem.</translation>
+        <translation>Limite, vazios, obstáculos e linhas de orientação para terminais antigos; sem cabeceira nem ordem das passadas.</translation>
     </message>
     <message>
         <source>Boundary, holes, obstacles, gates, headland and guidance lines for terminals; no driving order.</source>
-        <translation>Limite, vazios, obstáculos, entradas, cabeceira e linhas de orientação para terminais; sem ordem.</translation>
+        <translation>Limite, vazios, obstáculos, entradas, cabeceira e linhas de orientação para terminais; sem ordem das passadas.</translation>
     </message>
     <message>
         <source>Boundary, holes, obstacles, headland, swaths and path in metres of the UTM zone.</source>
@@ -2731,7 +2731,7 @@
     </message>
     <message>
         <source>Check that the machine stays inside the field while it turns.</source>
-        <translation>Verificar se a máquina fica dentro do talhão ao manobrar.</translation>
+        <translation>Verifique se a máquina fica dentro do talhão ao manobrar.</translation>
     </message>
     <message>
         <source>Choose another place.</source>
@@ -2763,7 +2763,7 @@
     </message>
     <message>
         <source>Crop protection: headland first, ways along the headland.</source>
-        <translation>Proteção de plantas: cabeceira primeiro, caminhos pela cabeceira.</translation>
+        <translation>Aplicação de defensivos: cabeceira primeiro, deslocamentos pela cabeceira.</translation>
     </message>
     <message>
         <source>Curves are driven with up to %1 sideways; the machine&apos;s limit is less.</source>
@@ -2775,7 +2775,7 @@
     </message>
     <message>
         <source>Curves with reversing, smooth steering</source>
-        <translation>Curvas com ré, direção suave</translation>
+        <translation>Curvas com ré, esterçamento suave</translation>
     </message>
     <message>
         <source>Cut along the swaths at every corner, sharp or rounded.</source>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Drilling or planting: headland last, ways along the headland.</source>
-        <translation>Semeadura ou plantio: cabeceira por último, caminhos pela cabeceira.</translation>
+        <translation>Semeadura ou plantio: cabeceira por último, deslocamentos pela cabeceira.</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -2867,7 +2867,7 @@
     </message>
     <message>
         <source>Fertiliser or manure: headland first, ways along the headland.</source>
-        <translation>Adubo ou esterco: cabeceira primeiro, caminhos pela cabeceira.</translation>
+        <translation>Adubo ou esterco: cabeceira primeiro, deslocamentos pela cabeceira.</translation>
     </message>
     <message>
         <source>Fertiliser spreader, 36 m</source>
@@ -2879,7 +2879,7 @@
     </message>
     <message>
         <source>Field robot, 1.5 m weeder</source>
-        <translation>Robô de campo, capinador de 1,5 m</translation>
+        <translation>Robô agrícola, capinadeira de 1,5 m</translation>
     </message>
     <message>
         <source>Finish corners</source>
@@ -2907,7 +2907,7 @@
     </message>
     <message>
         <source>Forward curves, smooth steering</source>
-        <translation>Curvas para a frente, direção suave</translation>
+        <translation>Curvas para a frente, esterçamento suave</translation>
     </message>
     <message>
         <source>Forward, back with the wheels the other way, forward again.</source>
@@ -2919,7 +2919,7 @@
     </message>
     <message>
         <source>From clear of the ground to working depth.</source>
-        <translation>De livre do solo até a profundidade de trabalho.</translation>
+        <translation>De fora do solo até a profundidade de trabalho.</translation>
     </message>
     <message>
         <source>From inside out</source>
@@ -2951,7 +2951,7 @@
     </message>
     <message>
         <source>From working depth to clear of the ground.</source>
-        <translation>Da profundidade de trabalho até livre do solo.</translation>
+        <translation>Da profundidade de trabalho até sair do solo.</translation>
     </message>
     <message>
         <source>Front and rear mower, 9 m</source>
@@ -2967,7 +2967,7 @@
     </message>
     <message>
         <source>Full spacing; the last swath is moved back to the edge.</source>
-        <translation>Espaçamento total; a última passada é levada à borda.</translation>
+        <translation>Espaçamento completo; a última passada é levada à borda.</translation>
     </message>
     <message>
         <source>Full spacing; a rest of less than half a width stays uncovered, where it costs least.</source>
@@ -3039,7 +3039,7 @@
     </message>
     <message>
         <source>How fast the curvature may change along the path; from the steering rate where it is not given.</source>
-        <translation>Com que rapidez a curvatura pode mudar ao longo do percurso; da velocidade de esterçamento onde não é dada.</translation>
+        <translation>Com que rapidez a curvatura pode mudar ao longo do percurso; se não for informada, vem da velocidade de esterçamento.</translation>
     </message>
     <message>
         <source>How fast the steered wheels turn.</source>
@@ -3467,7 +3467,7 @@
     </message>
     <message>
         <source>Six-row planter, 4.5 m</source>
-        <translation>Plantadeira de seis fileiras, 4,5 m</translation>
+        <translation>Plantadeira de seis linhas, 4,5 m</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -3483,11 +3483,11 @@
     </message>
     <message>
         <source>Slurry tanker, 15 m trailing shoe</source>
-        <translation>Tanque de chorume, sapatas de 15 m</translation>
+        <translation>Tanque de esterco líquido, sapatas de 15 m</translation>
     </message>
     <message>
         <source>Smallest circle the middle of the fixed axle can follow; from the steering angle where it is not given.</source>
-        <translation>Menor círculo que o meio do eixo fixo consegue seguir; do ângulo de esterçamento onde não é dado.</translation>
+        <translation>Menor círculo que o meio do eixo fixo consegue seguir; se não for informado, vem do ângulo de esterçamento.</translation>
     </message>
     <message>
         <source>Smallest turning radius</source>
@@ -3495,7 +3495,7 @@
     </message>
     <message>
         <source>Snake</source>
-        <translation>Serpente</translation>
+        <translation>Serpentina</translation>
     </message>
     <message>
         <source>So that the wide machine begins flush with the left edge, or beside the line that was given.</source>
@@ -3511,7 +3511,7 @@
     </message>
     <message>
         <source>Speed on longer ways with the implement lifted.</source>
-        <translation>Velocidade em caminhos longos com o implemento levantado.</translation>
+        <translation>Velocidade em deslocamentos longos com o implemento levantado.</translation>
     </message>
     <message>
         <source>Speed with the implement at work.</source>
@@ -3531,7 +3531,7 @@
     </message>
     <message>
         <source>Spread over all</source>
-        <translation>Repartido entre todas</translation>
+        <translation>Distribuído entre todas</translation>
     </message>
     <message>
         <source>Spreading</source>
@@ -3567,7 +3567,7 @@
     </message>
     <message>
         <source>Straight way needed before the implement is lowered.</source>
-        <translation>Caminho reto necessário antes de abaixar o implemento.</translation>
+        <translation>Trecho reto necessário antes de abaixar o implemento.</translation>
     </message>
     <message>
         <source>Swath after swath over all of the field, whatever cuts them.</source>
@@ -3575,7 +3575,7 @@
     </message>
     <message>
         <source>Swath numbers in driving order; a minus drives one the other way.</source>
-        <translation>Números das passadas em ordem; um menos faz uma ao contrário.</translation>
+        <translation>Números das passadas em ordem; um menos inverte o sentido.</translation>
     </message>
     <message>
         <source>Swaths</source>
@@ -3619,7 +3619,7 @@
     </message>
     <message>
         <source>The boundary alone as a flat zipped shapefile, as operations centres take it.</source>
-        <translation>Só o limite como shapefile compactado plano, como aceitam os centros de operações.</translation>
+        <translation>Só o limite como shapefile compactado sem pastas, como aceitam os centros de operações.</translation>
     </message>
     <message>
         <source>The chosen one cannot be driven between these swaths.</source>
@@ -3631,7 +3631,7 @@
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
-        <translation>O talhão é estreito demais para %1 de cabeceira; tem %2 com %3</translation>
+        <translation>O talhão é estreito demais para %1 de cabeceira; ficam %2, com %3</translation>
     </message>
     <message>
         <source>The field is too narrow for %1 of headland; there is none</source>
@@ -3807,7 +3807,7 @@
     </message>
     <message>
         <source>The way from %1 to %2</source>
-        <translation>O caminho %1 → %2</translation>
+        <translation>O deslocamento %1 → %2</translation>
     </message>
     <message>
         <source>There the chosen one does not fit into the field or cannot be driven between these swaths.</source>
@@ -3919,19 +3919,19 @@
     </message>
     <message>
         <source>Ways</source>
-        <translation>Caminhos</translation>
+        <translation>Deslocamentos</translation>
     </message>
     <message>
         <source>Ways keep to the field&apos;s edge.</source>
-        <translation>Os caminhos ficam na borda do talhão.</translation>
+        <translation>Os deslocamentos ficam na borda do talhão.</translation>
     </message>
     <message>
         <source>Ways keep to the headland; crop and seedbed are not driven over.</source>
-        <translation>Os caminhos ficam na cabeceira; não se passa sobre a cultura nem o leito de semeadura.</translation>
+        <translation>Os deslocamentos ficam na cabeceira; não se passa sobre a cultura nem o leito de semeadura.</translation>
     </message>
     <message>
         <source>Ways may cross worked land.</source>
-        <translation>Os caminhos podem cruzar o interior.</translation>
+        <translation>Os deslocamentos podem cruzar o interior.</translation>
     </message>
     <message>
         <source>Well-known text</source>
@@ -3943,7 +3943,7 @@
     </message>
     <message>
         <source>Distance from the boundary that nothing enters; auto is the boundary&apos;s accuracy.</source>
-        <translation>O que tudo mantém do limite; auto é a precisão do limite.</translation>
+        <translation>Distância do limite em que nada entra; auto é a precisão do limite.</translation>
     </message>
     <message>
         <source>How far the implement may stand over the boundary and obstacles, its sections there switched off; the tractor and all wheels stay inside.</source>
@@ -3959,7 +3959,7 @@
     </message>
     <message>
         <source>What the field is driven over for: sets when the headland is worked, ways and overlap.</source>
-        <translation>Para que se entra no talhão: define quando a cabeceira é trabalhada, os caminhos e a sobreposição.</translation>
+        <translation>O trabalho a fazer: define quando a cabeceira é trabalhada, os deslocamentos e a sobreposição.</translation>
     </message>
     <message>
         <source>What the machine is called.</source>
@@ -3967,7 +3967,7 @@
     </message>
     <message>
         <source>What the search for the best heading looks for.</source>
-        <translation>O que a busca da melhor direção procura.</translation>
+        <translation>O objetivo da busca da melhor direção.</translation>
     </message>
     <message>
         <source>Wheelbase</source>
@@ -3983,11 +3983,11 @@
     </message>
     <message>
         <source>Where a swath ends at a slanting edge.</source>
-        <translation>Onde uma passada termina em uma borda inclinada.</translation>
+        <translation>Onde uma passada termina em uma borda oblíqua.</translation>
     </message>
     <message>
         <source>Where the machine may drive from swath to swath; follows from the operation.</source>
-        <translation>Por onde a máquina pode ir de passada a passada; segue da operação.</translation>
+        <translation>Por onde a máquina pode ir de passada a passada; depende da operação.</translation>
     </message>
     <message>
         <source>Where the middle of the swath meets the headland.</source>
@@ -4019,11 +4019,11 @@
     </message>
     <message>
         <source>Width while folded for the road, through gates and on ways in and out; the raised width where it is not given.</source>
-        <translation>Largura dobrado para a estrada, nas entradas e nos trajetos de entrada e saída; sem indicação, a largura levantado.</translation>
+        <translation>Largura com o implemento dobrado para a estrada, nas entradas e nos deslocamentos de entrada e saída; sem indicação, a largura ao manobrar.</translation>
     </message>
     <message>
         <source>Width while lifted or folded for a turn; the operating width where it is not given.</source>
-        <translation>Largura levantado ou dobrado para uma manobra; a largura de trabalho onde não é dada.</translation>
+        <translation>Largura com o implemento levantado ou dobrado para uma manobra; sem indicação, a largura de trabalho.</translation>
     </message>
     <message>
         <source>Width worked in one pass.</source>
@@ -4107,7 +4107,7 @@
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
-        <translation>uma lasca de %1 foi deixada de fora</translation>
+        <translation>uma sobra de %1 foi deixada de fora</translation>
     </message>
     <message>
         <source>a track that ended %1 from where it began was closed</source>
@@ -4259,11 +4259,11 @@
     </message>
     <message>
         <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
-        <translation>seria “%1”? use uma de: %2; ou dê um arquivo de máquina (.json)</translation>
+        <translation>seria “%1”? use uma de: %2; ou informe um arquivo de máquina (.json)</translation>
     </message>
     <message>
         <source>download the file and give its path</source>
-        <translation>baixe o arquivo e dê o caminho</translation>
+        <translation>baixe o arquivo e informe o caminho</translation>
     </message>
     <message>
         <source>draw it again</source>
@@ -4351,23 +4351,23 @@
     </message>
     <message>
         <source>give %1</source>
-        <translation>dê %1</translation>
+        <translation>informe %1</translation>
     </message>
     <message>
         <source>give 0 m or more</source>
-        <translation>dê 0 m ou mais</translation>
+        <translation>informe 0 m ou mais</translation>
     </message>
     <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
-        <translation>dê GeoJSON, um shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
+        <translation>informe GeoJSON, um shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
     </message>
     <message>
         <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
-        <translation>dê um GeoTIFF ou um arquivo de georreferência (.pgw) ao lado do PNG</translation>
+        <translation>informe um GeoTIFF ou um arquivo de georreferência (.pgw) ao lado do PNG</translation>
     </message>
     <message>
         <source>give a buffer of 0 m or more</source>
-        <translation>dê uma distância de 0 m ou mais</translation>
+        <translation>informe uma distância de 0 m ou mais</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
@@ -4375,107 +4375,107 @@
     </message>
     <message>
         <source>give a curve that does not, or plan its parts apart</source>
-        <translation>dê uma curva que não se cruze ou planeje as partes separadamente</translation>
+        <translation>informe uma curva que não se cruze ou planeje as partes separadamente</translation>
     </message>
     <message>
         <source>give a file on a disk</source>
-        <translation>dê um arquivo em um disco</translation>
+        <translation>informe um arquivo em um disco</translation>
     </message>
     <message>
         <source>give a file with a line for each row</source>
-        <translation>dê um arquivo com uma linha por fileira</translation>
+        <translation>informe um arquivo com uma linha por fileira</translation>
     </message>
     <message>
         <source>give a gate, or a point in the field</source>
-        <translation>dê uma entrada ou um ponto no talhão</translation>
+        <translation>informe uma entrada ou um ponto no talhão</translation>
     </message>
     <message>
         <source>give a gentler curve, or one without a turn back</source>
-        <translation>dê uma curva mais suave ou sem volta</translation>
+        <translation>informe uma curva mais suave ou sem volta para trás</translation>
     </message>
     <message>
         <source>give a machine file (JSON)</source>
-        <translation>dê um arquivo de máquina (JSON)</translation>
+        <translation>informe um arquivo de máquina (JSON)</translation>
     </message>
     <message>
         <source>give a number</source>
-        <translation>dê um número</translation>
+        <translation>informe um número</translation>
     </message>
     <message>
         <source>give a number from %1 to %2</source>
-        <translation>dê um número de %1 a %2</translation>
+        <translation>informe um número de %1 a %2</translation>
     </message>
     <message>
         <source>give a number from 0 to %1</source>
-        <translation>dê um número de 0 a %1</translation>
+        <translation>informe um número de 0 a %1</translation>
     </message>
     <message>
         <source>give a number in %1</source>
-        <translation>dê um número em %1</translation>
+        <translation>informe um número em %1</translation>
     </message>
     <message>
         <source>give a picture of at most 100 million pixels</source>
-        <translation>dê uma imagem de no máximo 100 milhões de pixels</translation>
+        <translation>informe uma imagem de no máximo 100 milhões de pixels</translation>
     </message>
     <message>
         <source>give a point such as POINT (4.1 52.0)</source>
-        <translation>dê um ponto como POINT (4.1 52.0)</translation>
+        <translation>informe um ponto como POINT (4.1 52.0)</translation>
     </message>
     <message>
         <source>give a smaller margin or check the obstacles</source>
-        <translation>dê uma margem menor ou verifique os obstáculos</translation>
+        <translation>informe uma margem menor ou verifique os obstáculos</translation>
     </message>
     <message>
         <source>give a smaller number</source>
-        <translation>dê um número menor</translation>
+        <translation>informe um número menor</translation>
     </message>
     <message>
         <source>give a text in quotes</source>
-        <translation>dê um texto entre aspas</translation>
+        <translation>informe um texto entre aspas</translation>
     </message>
     <message>
         <source>give a transverse Mercator with +lat_0 and +lon_0</source>
-        <translation>dê uma transversa de Mercator com +lat_0 e +lon_0</translation>
+        <translation>informe uma transversa de Mercator com +lat_0 e +lon_0</translation>
     </message>
     <message>
         <source>give a width of 0 m or more</source>
-        <translation>dê uma largura de 0 m ou mais</translation>
+        <translation>informe uma largura de 0 m ou mais</translation>
     </message>
     <message>
         <source>give an EPSG code, as in SRID=4326;POLYGON(...)</source>
-        <translation>dê um código EPSG, como SRID=4326;POLYGON(...)</translation>
+        <translation>informe um código EPSG, como SRID=4326;POLYGON(...)</translation>
     </message>
     <message>
         <source>give both in degrees, or remove the row</source>
-        <translation>dê ambas em graus ou remova a linha</translation>
+        <translation>informe ambas em graus ou remova a linha</translation>
     </message>
     <message>
         <source>give each point as [longitude, latitude]</source>
-        <translation>dê cada ponto como [longitude, latitude]</translation>
+        <translation>informe cada ponto como [longitude, latitude]</translation>
     </message>
     <message>
         <source>give heights as a GeoTIFF or an ASCII grid</source>
-        <translation>dê as altitudes como GeoTIFF ou grade ASCII</translation>
+        <translation>informe as altitudes como GeoTIFF ou grade ASCII</translation>
     </message>
     <message>
         <source>give heights that cover the field</source>
-        <translation>dê altitudes que cubram o talhão</translation>
+        <translation>informe altitudes que cubram o talhão</translation>
     </message>
     <message>
         <source>give it a kind, or remove it from the file</source>
-        <translation>dê-lhe um tipo, ou remova-o do arquivo</translation>
+        <translation>informe o tipo, ou remova-o do arquivo</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, %1</source>
-        <translation>dê como WKT em WGS84, %1</translation>
+        <translation>informe como WKT em WGS84, %1</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, such as LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</source>
-        <translation>dê como WKT em WGS84, como LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
+        <translation>informe como WKT em WGS84, como LINESTRING (4.1 52.0, 4.2 52.0, 4.3 52.1)</translation>
     </message>
     <message>
         <source>give it as WKT in WGS84, such as POINT (4.1 52.0)</source>
-        <translation>dê como WKT em WGS84, como POINT (4.1 52.0)</translation>
+        <translation>informe como WKT em WGS84, como POINT (4.1 52.0)</translation>
     </message>
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
@@ -4483,59 +4483,59 @@
     </message>
     <message>
         <source>give its width while it is folded</source>
-        <translation>informe a largura dobrado</translation>
+        <translation>informe a largura com o implemento dobrado</translation>
     </message>
     <message>
         <source>give less than the operating width</source>
-        <translation>dê menos que a largura de trabalho</translation>
+        <translation>informe menos que a largura de trabalho</translation>
     </message>
     <message>
         <source>give metres, 0 or more</source>
-        <translation>dê metros, 0 ou mais</translation>
+        <translation>informe metros, 0 ou mais</translation>
     </message>
     <message>
         <source>give min_turning_radius_m or max_steering_angle_deg</source>
-        <translation>dê min_turning_radius_m ou max_steering_angle_deg</translation>
+        <translation>informe min_turning_radius_m ou max_steering_angle_deg</translation>
     </message>
     <message>
         <source>give one of %1 or a point such as POINT (4.1 52.0)</source>
-        <translation>dê uma de %1 ou um ponto como POINT (4.1 52.0)</translation>
+        <translation>informe uma de %1 ou um ponto como POINT (4.1 52.0)</translation>
     </message>
     <message>
         <source>give one of the files in it</source>
-        <translation>dê um dos arquivos nela</translation>
+        <translation>informe um dos arquivos dela</translation>
     </message>
     <message>
         <source>give operating_width_m in metres</source>
-        <translation>dê operating_width_m em metros</translation>
+        <translation>informe operating_width_m em metros</translation>
     </message>
     <message>
         <source>give the file TASKDATA.XML</source>
-        <translation>dê o arquivo TASKDATA.XML</translation>
+        <translation>informe o arquivo TASKDATA.XML</translation>
     </message>
     <message>
         <source>give the folder of a field</source>
-        <translation>dê a pasta de um talhão</translation>
+        <translation>informe a pasta de um talhão</translation>
     </message>
     <message>
         <source>give the folder of one of these, or a file in it</source>
-        <translation>dê a pasta de um deles ou um arquivo nela</translation>
+        <translation>informe a pasta de um deles ou um arquivo dela</translation>
     </message>
     <message>
         <source>give the folder of one recording</source>
-        <translation>dê a pasta de uma gravação</translation>
+        <translation>informe a pasta de uma gravação</translation>
     </message>
     <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
-        <translation>dê os pontos em graus (WGS84), longitude em lon e latitude em lat</translation>
+        <translation>informe os pontos em graus (WGS84), longitude em lon e latitude em lat</translation>
     </message>
     <message>
         <source>give true or false</source>
-        <translation>dê true ou false</translation>
+        <translation>informe true ou false</translation>
     </message>
     <message>
         <source>give two points at least 1 m apart</source>
-        <translation>dê dois pontos separados por pelo menos 1 m</translation>
+        <translation>informe dois pontos separados por pelo menos 1 m</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4663,7 +4663,7 @@
     </message>
     <message>
         <source>its coordinate system &apos;%1&apos; is not known</source>
-        <translation>seu sistema de coordenadas &apos;%1&apos; não é conhecido</translation>
+        <translation>seu sistema de coordenadas “%1” não é conhecido</translation>
     </message>
     <message>
         <source>its coordinate system cannot be turned into WGS84</source>
@@ -4671,7 +4671,7 @@
     </message>
     <message>
         <source>its coordinate system would have to be fetched from &apos;%1&apos;</source>
-        <translation>seu sistema de coordenadas teria de ser baixado de &apos;%1&apos;</translation>
+        <translation>seu sistema de coordenadas teria de ser baixado de “%1”</translation>
     </message>
     <message>
         <source>its file is missing</source>
@@ -4687,7 +4687,7 @@
     </message>
     <message>
         <source>its kind &apos;%1&apos; is not known</source>
-        <translation>seu tipo &apos;%1&apos; não é conhecido</translation>
+        <translation>seu tipo “%1” não é conhecido</translation>
     </message>
     <message>
         <source>its points enclose no area</source>
@@ -4755,11 +4755,11 @@
     </message>
     <message>
         <source>name each swath once</source>
-        <translation>cite cada passada uma vez</translation>
+        <translation>indique cada passada uma vez</translation>
     </message>
     <message>
         <source>name each swath once, with a minus where it is driven backwards</source>
-        <translation>cite cada passada uma vez, com um menos onde é feita ao contrário</translation>
+        <translation>indique cada passada uma vez, com um menos onde é feita ao contrário</translation>
     </message>
     <message>
         <source>name one, such as GeoJSON with a LineString for each row</source>
@@ -4771,11 +4771,11 @@
     </message>
     <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
-        <translation>dê a pasta de um plano, como furrow-cli plan a grava</translation>
+        <translation>informe a pasta de um plano, como furrow-cli plan a grava</translation>
     </message>
     <message>
         <source>neither turning radius nor steering angle is given</source>
-        <translation>não foi dado raio de giro nem ângulo de esterçamento</translation>
+        <translation>não foi informado nem raio de giro nem ângulo de esterçamento</translation>
     </message>
     <message>
         <source>no boundary can be read from this file (%1)</source>
@@ -4927,7 +4927,7 @@
     </message>
     <message>
         <source>several plans of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation>vários planos de &apos;%1&apos; se chamam &apos;%2&apos;</translation>
+        <translation>vários planos de “%1” se chamam “%2”</translation>
     </message>
     <message>
         <source>simplify it to at most a million</source>
@@ -4947,7 +4947,7 @@
     </message>
     <message>
         <source>swath %1 is named twice</source>
-        <translation>a passada %1 foi citada duas vezes</translation>
+        <translation>a passada %1 foi indicada duas vezes</translation>
     </message>
     <message>
         <source>take it away</source>
@@ -5011,7 +5011,7 @@
     </message>
     <message>
         <source>the field &apos;%1&apos; has no plan &apos;%2&apos;</source>
-        <translation>o talhão &apos;%1&apos; não tem o plano &apos;%2&apos;</translation>
+        <translation>o talhão “%1” não tem o plano “%2”</translation>
     </message>
     <message>
         <source>the field &apos;%1&apos; is left out: %2</source>
@@ -5099,7 +5099,7 @@
     </message>
     <message>
         <source>the line after StartFix is no place</source>
-        <translation>a linha após StartFix não é um lugar</translation>
+        <translation>a linha após StartFix não é uma posição</translation>
     </message>
     <message>
         <source>the line crosses itself at %1, %2</source>
@@ -5227,7 +5227,7 @@
     </message>
     <message>
         <source>the way to refill</source>
-        <translation>o caminho de reabastecimento</translation>
+        <translation>o deslocamento para reabastecer</translation>
     </message>
     <message>
         <source>the zip cannot be made: %1</source>
@@ -5263,7 +5263,7 @@
     </message>
     <message>
         <source>there is no field &apos;%1&apos; in the project</source>
-        <translation>não há talhão &apos;%1&apos; no projeto</translation>
+        <translation>não há talhão “%1” no projeto</translation>
     </message>
     <message>
         <source>there is no field boundary in it</source>
@@ -5403,7 +5403,7 @@
     </message>
     <message>
         <source>use one of: %1; or give a machine file (.json)</source>
-        <translation>use uma de: %1; ou dê um arquivo de máquina (.json)</translation>
+        <translation>use uma de: %1; ou informe um arquivo de máquina (.json)</translation>
     </message>
     <message>
         <source>use one or more of: %1</source>
@@ -5471,15 +5471,15 @@
     </message>
     <message>
         <source>copy or export the file again</source>
-        <translation>copie ou exporte o arquivo novamente</translation>
+        <translation>copie ou exporte o arquivo de novo</translation>
     </message>
     <message>
         <source>give a GeoTIFF, MBTiles, or a folder of tiles</source>
-        <translation>forneça um GeoTIFF, MBTiles ou uma pasta de blocos</translation>
+        <translation>informe um GeoTIFF, MBTiles ou uma pasta de blocos</translation>
     </message>
     <message>
         <source>give a GeoTIFF, or export it again with its coordinate system</source>
-        <translation>forneça um GeoTIFF ou exporte-a novamente com seu sistema de coordenadas</translation>
+        <translation>informe um GeoTIFF ou exporte-a de novo com seu sistema de coordenadas</translation>
     </message>
     <message>
         <source>it is damaged, or no picture that Furrow can show</source>
@@ -5499,15 +5499,15 @@
     </message>
     <message>
         <source>make the tiles again</source>
-        <translation>crie os blocos novamente</translation>
+        <translation>crie os blocos de novo</translation>
     </message>
     <message>
         <source>make them again with the profile mercator, or give the raster itself</source>
-        <translation>crie-os novamente com o perfil mercator ou forneça o próprio raster</translation>
+        <translation>crie-os de novo com o perfil mercator ou informe o próprio raster</translation>
     </message>
     <message>
         <source>open it again</source>
-        <translation>abra-o novamente</translation>
+        <translation>abra-o de novo</translation>
     </message>
     <message>
         <source>put it back, or choose another one</source>
@@ -5551,7 +5551,7 @@
     </message>
     <message>
         <source>Receivers may refuse %1: %2.</source>
-        <translation>Os receptores podem recusar %1: %2.</translation>
+        <translation>Os terminais podem recusar %1: %2.</translation>
     </message>
     <message>
         <source>some systems do not allow a file of this name</source>
@@ -5575,15 +5575,15 @@
     </message>
     <message>
         <source>a ring of &apos;%1&apos; ends with its first point again</source>
-        <translation>um anel de “%1” repete no fim o seu primeiro ponto</translation>
+        <translation>um anel de “%1” repete no fim seu primeiro ponto</translation>
     </message>
     <message>
         <source>&apos;%1&apos; crosses itself, or a hole lies outside of it</source>
-        <translation>“%1” cruza-se a si mesmo ou tem um vazio fora dele</translation>
+        <translation>“%1” cruza a si mesmo ou tem um vazio fora dele</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; runs the wrong way round</source>
-        <translation>um anel de “%1” roda no sentido errado</translation>
+        <translation>um anel de “%1” gira no sentido errado</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is said to have %2, and has %3</source>
@@ -5647,7 +5647,7 @@
     </message>
     <message>
         <source>place %1 of the path is not where the plan goes next</source>
-        <translation>o lugar %1 do percurso não é onde o plano continua</translation>
+        <translation>o ponto %1 do percurso não está onde o plano continua</translation>
     </message>
     <message>
         <source>the path does not begin and end as the plan does</source>
@@ -5659,7 +5659,7 @@
     </message>
     <message>
         <source>the time of place %1 of the path is before that of the place before</source>
-        <translation>a hora do lugar %1 do percurso é anterior à do lugar antes dele</translation>
+        <translation>a hora do ponto %1 do percurso é anterior à do ponto antes dele</translation>
     </message>
     <message>
         <source>the times of the path stand still</source>
@@ -5667,19 +5667,19 @@
     </message>
     <message>
         <source>the heading at place %1 of the path does not point along it</source>
-        <translation>o rumo no lugar %1 do percurso não aponta ao longo dele</translation>
+        <translation>o rumo no ponto %1 do percurso não aponta ao longo dele</translation>
     </message>
     <message>
         <source>the speed at place %1 of the path is negative</source>
-        <translation>a velocidade no lugar %1 do percurso é negativa</translation>
+        <translation>a velocidade no ponto %1 do percurso é negativa</translation>
     </message>
     <message>
         <source>its largest speed is %1, not %2</source>
-        <translation>a sua maior velocidade é %1, não %2</translation>
+        <translation>sua maior velocidade é %1, não %2</translation>
     </message>
     <message>
         <source>line %1 is not as this format has it</source>
-        <translation>a linha %1 não é como este formato a tem</translation>
+        <translation>a linha %1 não está conforme este formato</translation>
     </message>
     <message>
         <source>this is no %1</source>
@@ -5687,7 +5687,7 @@
     </message>
     <message>
         <source>its content cannot be read</source>
-        <translation>o seu conteúdo não pode ser lido</translation>
+        <translation>não é possível ler seu conteúdo</translation>
     </message>
     <message>
         <source>%1 is missing</source>
@@ -5703,7 +5703,7 @@
     </message>
     <message>
         <source>%1 is referred to and not there</source>
-        <translation>é referido %1, que não está lá</translation>
+        <translation>há referência a %1, que não está lá</translation>
     </message>
     <message>
         <source>%1 is not known before version 4</source>
@@ -5715,7 +5715,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is of kind %2 and its points are of kinds %3</source>
-        <translation>“%1” é de tipo %2 e os seus pontos são dos tipos %3</translation>
+        <translation>“%1” é de tipo %2 e seus pontos são dos tipos %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 lines</source>
@@ -5727,15 +5727,15 @@
     </message>
     <message>
         <source>its shapes have heights or measures, which displays do not read</source>
-        <translation>as suas formas têm alturas ou medidas, que os monitores não leem</translation>
+        <translation>suas formas têm alturas ou medidas, que os monitores não leem</translation>
     </message>
     <message>
         <source>this is the recording of a drive (%1), and no boundary</source>
-        <translation>isto é o registro de um percurso (%1), e não um limite</translation>
+        <translation>isto é a gravação de um percurso (%1), e não um limite</translation>
     </message>
     <message>
         <source>give the field&apos;s boundary; furrow-cli compare lays a recording over a plan</source>
-        <translation>indique o limite do talhão; furrow-cli compare sobrepõe um registro a um plano</translation>
+        <translation>informe o limite do talhão; furrow-cli compare sobrepõe uma gravação a um plano</translation>
     </message>
     <message>
         <source>Raster mask</source>
@@ -5778,15 +5778,15 @@
     </message>
     <message>
         <source>swaths run %1</source>
-        <translation>as passadas seguem %1</translation>
+        <translation>as passadas vão %1</translation>
     </message>
     <message>
         <source>swaths run %1; %2 s slower than with the best heading</source>
-        <translation>as passadas seguem %1; %2 s a mais que com a melhor direção</translation>
+        <translation>as passadas vão %1; %2 s a mais que com a melhor direção</translation>
     </message>
     <message>
         <source>swaths run %1; %2 more than with the best heading</source>
-        <translation>as passadas seguem %1; %2 a mais que com a melhor direção</translation>
+        <translation>as passadas vão %1; %2 a mais que com a melhor direção</translation>
     </message>
     <message>
         <source>Shortest swath</source>
@@ -5794,7 +5794,7 @@
     </message>
     <message>
         <source>Swaths that are shorter are left out; auto is the implement&apos;s length.</source>
-        <translation>Passadas mais curtas são omitidas; automático é o comprimento do implemento.</translation>
+        <translation>Passadas mais curtas são omitidas; auto é o comprimento do implemento.</translation>
     </message>
     <message>
         <source>Prefer edges within (%)</source>
@@ -5802,7 +5802,7 @@
     </message>
     <message>
         <source>Swaths run along the field&apos;s longest edge, or another long one, where that takes no more than this above the best heading; 0 takes the best whatever its direction.</source>
-        <translation>As passadas seguem o lado mais longo do talhão, ou outro longo, onde isso não custa mais do que isto acima da melhor direção; 0 usa a melhor, seja qual for.</translation>
+        <translation>As passadas seguem o lado mais longo do talhão, ou outro lado longo, enquanto isso não custar mais do que este valor acima da melhor direção; 0 usa a melhor, seja qual for.</translation>
     </message>
     <message>
         <source>%1 are out of this machine&apos;s reach; the largest piece, %2, lies here.</source>
@@ -5833,11 +5833,11 @@
     </message>
     <message>
         <source>Set &quot;%1&quot; to &quot;%2&quot;: with that this is gone.</source>
-        <translation>Defina &quot;%1&quot; como &quot;%2&quot;: com isso fica resolvido.</translation>
+        <translation>Defina “%1” como “%2”: com isso fica resolvido.</translation>
     </message>
     <message>
         <source>Swaths along the longest edge</source>
-        <translation>Passadas ao longo da borda mais longa</translation>
+        <translation>Passadas ao longo do lado mais longo</translation>
     </message>
     <message>
         <source>Swaths at a bearing of %1</source>
@@ -5857,7 +5857,7 @@
     </message>
     <message>
         <source>give one of the two, or a width that holds just these passes</source>
-        <translation>informe um dos dois, ou uma largura em que caibam exatamente essas voltas</translation>
+        <translation>informe um dos dois, ou uma largura em que caibam exatamente essas passadas</translation>
     </message>
     <message>
         <source>headland.width_m and headland.passes do not agree</source>
@@ -5865,15 +5865,15 @@
     </message>
     <message>
         <source>off</source>
-        <translation>desligado</translation>
+        <translation>desativado</translation>
     </message>
     <message>
         <source>on</source>
-        <translation>ligado</translation>
+        <translation>ativado</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: &quot;%2&quot; is planned instead of &quot;%3&quot;: %4</source>
-        <translation>&quot;%1&quot;: planeja-se &quot;%2&quot; em vez de &quot;%3&quot;: %4</translation>
+        <translation>“%1”: planeja-se “%2” em vez de “%3”: %4</translation>
     </message>
     <message>
         <source>%1 are planned instead of the heading with the best estimate: %2</source>
@@ -5881,7 +5881,7 @@
     </message>
     <message>
         <source>it has fewer problems</source>
-        <translation>há menos impedimentos</translation>
+        <translation>há menos problemas</translation>
     </message>
     <message>
         <source>it is %1 s quicker</source>
@@ -5913,7 +5913,7 @@
     </message>
     <message>
         <source>No passes are driven in the headland (%1).</source>
-        <translation>Nenhuma volta é feita na cabeceira (%1).</translation>
+        <translation>Nenhuma passada é feita na cabeceira (%1).</translation>
     </message>
     <message>
         <source>The chosen swaths (%1) do not reach it.</source>
@@ -5921,11 +5921,11 @@
     </message>
     <message>
         <source>Land that is left is not finished if the machine may leave the field (%1).</source>
-        <translation>Onde a máquina pode sair do talhão (%1), os restos não são retrabalhados.</translation>
+        <translation>Onde a máquina pode sair do talhão (%1), o que sobra não é terminado.</translation>
     </message>
     <message>
         <source>Land that is left is not finished, because that is switched off (%1).</source>
-        <translation>Os restos não são retrabalhados (%1).</translation>
+        <translation>O que sobra não é terminado, porque isso está desativado (%1).</translation>
     </message>
     <message>
         <source>choose a smaller machine or a smaller margin (%1)</source>
@@ -5969,7 +5969,7 @@
     </message>
     <message>
         <source>The implement is folded on the way from %1 to %2.</source>
-        <translation>O implemento vai dobrado neste caminho: %1 → %2.</translation>
+        <translation>O implemento vai dobrado neste deslocamento: %1 → %2.</translation>
     </message>
     <message>
         <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
@@ -5997,15 +5997,15 @@
     </message>
     <message>
         <source>The least fuel for turns and ways; the least time if the machine has no fuel figures.</source>
-        <translation>O menor combustível para manobras e trajetos; o menor tempo se a máquina não tiver dados de consumo.</translation>
+        <translation>O menor consumo de combustível para manobras e deslocamentos; o menor tempo se a máquina não tiver dados de consumo.</translation>
     </message>
     <message>
         <source>The least time for turns and ways.</source>
-        <translation>O menor tempo para manobras e trajetos.</translation>
+        <translation>O menor tempo para manobras e deslocamentos.</translation>
     </message>
     <message>
         <source>The shortest turns and ways.</source>
-        <translation>As manobras e trajetos mais curtos.</translation>
+        <translation>As manobras e os deslocamentos mais curtos.</translation>
     </message>
     <message>
         <source>Time</source>
@@ -6013,7 +6013,7 @@
     </message>
     <message>
         <source>What the order of the swaths is to save.</source>
-        <translation>O que a ordem das passadas deve poupar.</translation>
+        <translation>O que a ordem das passadas deve economizar.</translation>
     </message>
     <message>
         <source>Every pattern is tried and improved; the plan tells how near the order is to the best one.</source>
@@ -6025,7 +6025,7 @@
     </message>
     <message>
         <source>Swath numbers that follow each other in this order; a minus drives one the other way. The order of the others is searched.</source>
-        <translation>Números de passadas que se seguem nesta ordem; um menos percorre uma no outro sentido. A ordem das restantes é procurada.</translation>
+        <translation>Números de passadas que se seguem nesta ordem; um menos inverte o sentido. A ordem das outras é buscada.</translation>
     </message>
     <message>
         <source>Ends of swaths</source>
@@ -6061,7 +6061,7 @@
     </message>
     <message>
         <source>Most strips that are left between driven swaths for later. With 0 the machine never comes back to a gap, so that a second one can follow; auto sets no limit.</source>
-        <translation>Máximo de faixas que ficam entre passadas feitas para depois. Com 0 a máquina nunca volta a uma lacuna, e outra pode segui-la; “auto” não põe limite.</translation>
+        <translation>Máximo de faixas que ficam para depois entre passadas feitas. Com 0 a máquina nunca volta a uma lacuna, e outra pode segui-la; “auto” não põe limite.</translation>
     </message>
     <message>
         <source>Open strips</source>
@@ -6069,11 +6069,11 @@
     </message>
     <message>
         <source>The number of the swath that is driven first; auto takes any.</source>
-        <translation>O número da passada feita primeiro; “auto” usa qualquer uma.</translation>
+        <translation>O número da passada feita primeiro; com “auto”, qualquer uma.</translation>
     </message>
     <message>
         <source>The number of the swath that is driven last; auto takes any.</source>
-        <translation>O número da passada feita por último; “auto” usa qualquer uma.</translation>
+        <translation>O número da passada feita por último; com “auto”, qualquer uma.</translation>
     </message>
     <message>
         <source>allow more open strips, or lock fewer swaths</source>
@@ -6085,7 +6085,7 @@
     </message>
     <message>
         <source>no order was found that keeps to all that is said of the order of swaths</source>
-        <translation>não foi encontrada nenhuma ordem que siga tudo o que é dito da ordem das passadas</translation>
+        <translation>não foi encontrada nenhuma ordem que respeite tudo o que foi definido para a ordem das passadas</translation>
     </message>
     <message>
         <source>swath %1 is driven first</source>
@@ -6097,7 +6097,7 @@
     </message>
     <message>
         <source>%1 costs %2 more than the longest edge (%3)</source>
-        <translation>%1 custa %2 a mais que a borda mais longa (%3)</translation>
+        <translation>%1 custa %2 a mais que o lado mais longo (%3)</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
@@ -6105,7 +6105,7 @@
     </message>
     <message>
         <source>%1 is as quick as the longest edge (%2)</source>
-        <translation>%1 é tão rápido quanto a borda mais longa (%2)</translation>
+        <translation>%1 é tão rápido quanto o lado mais longo (%2)</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -6121,11 +6121,11 @@
     </message>
     <message>
         <source>%1 runs along the longest edge</source>
-        <translation>%1 segue a borda mais longa</translation>
+        <translation>%1 segue o lado mais longo</translation>
     </message>
     <message>
         <source>%1 saves %2 against the longest edge (%3)</source>
-        <translation>%1 poupa %2 em relação à borda mais longa (%3)</translation>
+        <translation>%1 economiza %2 em relação ao lado mais longo (%3)</translation>
     </message>
     <message>
         <source>%1 × %2, %3 each</source>
@@ -6145,7 +6145,7 @@
     </message>
     <message>
         <source>%1: the field is too narrow for the %2 that a turn of this machine needs.</source>
-        <translation>%1: o talhão é estreito demais para os %2 que uma manobra desta máquina precisa.</translation>
+        <translation>%1: o talhão é estreito demais para os %2 de que uma manobra desta máquina precisa.</translation>
     </message>
     <message>
         <source>%1; the machine keeps %2 from its edge at least.</source>
@@ -6178,11 +6178,11 @@
     </message>
     <message>
         <source>Cut into %1 pieces where swaths are interrupted; joining them to %2 saves %3 of turns and ways.</source>
-        <translation>Cortado em %1 partes onde as passadas são interrompidas; juntá-las em %2 poupa %3 de manobras e trajetos.</translation>
+        <translation>Cortado em %1 partes onde as passadas são interrompidas; juntá-las em %2 economiza %3 de manobras e deslocamentos.</translation>
     </message>
     <message>
         <source>Edges that swaths run along get %1, edges that they end at up to %2: a turn of this machine needs %3.</source>
-        <translation>Bordas ao longo das passadas recebem %1, bordas onde terminam até %2: uma manobra desta máquina precisa de %3.</translation>
+        <translation>Lados ao longo das passadas recebem %1, lados onde elas terminam até %2: uma manobra desta máquina precisa de %3.</translation>
     </message>
     <message>
         <source>Everything keeps %1 from the boundary, as chosen.</source>
@@ -6201,7 +6201,7 @@
     </message>
     <message>
         <source>No heading that was tried covers more: %1 inside the headland.</source>
-        <translation>Nenhuma direção testada cobre mais: %1 dentro da cabeceira.</translation>
+        <translation>Nenhuma direção testada trabalha mais área: %1 dentro da cabeceira.</translation>
     </message>
     <message numerus="yes">
         <source>No heading that was tried has fewer than %n swaths.</source>
@@ -6220,7 +6220,7 @@
     </message>
     <message>
         <source>No order of these swaths can save more than %1 of the turns, or %2 of all.</source>
-        <translation>Nenhuma ordem destas passadas pode poupar mais de %1 das manobras, ou %2 de tudo.</translation>
+        <translation>Nenhuma ordem destas passadas pode economizar mais de %1 das manobras, ou %2 de tudo.</translation>
     </message>
     <message>
         <source>No order of these swaths is better; that is proved.</source>
@@ -6228,7 +6228,7 @@
     </message>
     <message>
         <source>Nothing divides the swaths: one block.</source>
-        <translation>Nada divide as passadas: um subtalhão.</translation>
+        <translation>Nada divide as passadas: um só subtalhão.</translation>
     </message>
     <message>
         <source>Nothing stands outside of the field</source>
@@ -6236,7 +6236,7 @@
     </message>
     <message>
         <source>One pass all round works the whole field.</source>
-        <translation>Uma volta trabalha o talhão todo.</translation>
+        <translation>Uma só passada em volta trabalha o talhão todo.</translation>
     </message>
     <message numerus="yes">
         <source>Swaths are interrupted by corners or obstacles: %n blocks.</source>
@@ -6247,7 +6247,7 @@
     </message>
     <message>
         <source>The longest way without work, %1, follows %2.</source>
-        <translation>O trajeto mais longo sem trabalho, %1, vem depois de %2.</translation>
+        <translation>O deslocamento mais longo sem trabalho, %1, vem depois de %2.</translation>
     </message>
     <message>
         <source>There is no headland, as chosen. Turns reach %1 beyond the ends of swaths.</source>
@@ -6279,7 +6279,7 @@
     </message>
     <message>
         <source>by this estimate %1 would save %2</source>
-        <translation>por esta estimativa, %1 pouparia %2</translation>
+        <translation>por esta estimativa, %1 economizaria %2</translation>
     </message>
     <message>
         <source>fishtail turn</source>
@@ -6287,7 +6287,7 @@
     </message>
     <message>
         <source>give a number that is not negative, or leave it out</source>
-        <translation>dê um número não negativo ou deixe de fora</translation>
+        <translation>informe um número não negativo ou deixe de fora</translation>
     </message>
     <message>
         <source>it is draft, issued, in_progress or done</source>
@@ -6319,11 +6319,11 @@
     </message>
     <message>
         <source>there is no way to drive</source>
-        <translation>não há trajeto</translation>
+        <translation>não há caminho possível</translation>
     </message>
     <message>
         <source>turn on the spot</source>
-        <translation>giro no lugar</translation>
+        <translation>manobra no lugar</translation>
     </message>
     <message>
         <source>turn with reversing</source>
@@ -6331,7 +6331,7 @@
     </message>
     <message>
         <source>way straight on</source>
-        <translation>trajeto reto</translation>
+        <translation>deslocamento reto</translation>
     </message>
     <message>
         <source>%1 are driven over the field with the implement up; longest: %2.</source>
@@ -6347,7 +6347,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; in it is a view</source>
-        <translation>“%1” nele é uma visão (view)</translation>
+        <translation>“%1” nele é uma visão</translation>
     </message>
     <message>
         <source>a text with fields may take %1 MiB, and this one takes more</source>
@@ -6430,7 +6430,7 @@
     </message>
     <message>
         <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
-        <translation>Os campos aceitam ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Os arquivos contêm sempre metros.</translation>
+        <translation>As caixas aceitam ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Os arquivos contêm sempre metros.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6464,7 +6464,7 @@
     </message>
     <message>
         <source>The whole farm (%1)</source>
-        <translation>A propriedade toda (%1)</translation>
+        <translation>A fazenda toda (%1)</translation>
     </message>
     <message>
         <source>Paper</source>
@@ -6625,7 +6625,7 @@
     </message>
     <message>
         <source>Nothing was found in this plan: all of it can be driven.</source>
-        <translation>Nada foi encontrado neste plano: tudo pode ser percorrido.</translation>
+        <translation>Nada foi encontrado neste plano: ele pode ser percorrido por inteiro.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6686,7 +6686,7 @@
     </message>
     <message>
         <source>What should be seen to?</source>
-        <translation>O que deve ser visto?</translation>
+        <translation>O que precisa ser resolvido?</translation>
     </message>
     <message>
         <source>Your name</source>
@@ -6908,7 +6908,7 @@
     <name>Tour</name>
     <message>
         <source>Get a field</source>
-        <translation>Obtenha um talhão</translation>
+        <translation>Carregue um talhão</translation>
     </message>
     <message>
         <source>Open its boundary, draw it, or press here for a sample.</source>
@@ -7142,7 +7142,7 @@
     <message>
         <source>Done</source>
         <comment>work order</comment>
-        <translation>Concluir</translation>
+        <translation>Concluída</translation>
     </message>
     <message numerus="yes">
         <source>Not drivable: %n problem(s)</source>
@@ -7222,7 +7222,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Coberto</translation>
+        <translation>Trabalhado</translation>
     </message>
     <message>
         <source>Worked twice</source>
@@ -7318,7 +7318,7 @@
     </message>
     <message>
         <source>Plan and settings</source>
-        <translation>Plano e ajustes</translation>
+        <translation>Plano e configurações</translation>
     </message>
     <message>
         <source>What was done</source>
@@ -7387,7 +7387,7 @@
     </message>
     <message>
         <source>%1 in reverse</source>
-        <translation>%1 em marcha à ré</translation>
+        <translation>%1 de ré</translation>
     </message>
     <message>
         <source>Turns</source>
@@ -7569,7 +7569,7 @@
     </message>
     <message>
         <source>mends the plan</source>
-        <translation>torna-o percorrível</translation>
+        <translation>torna-o executável</translation>
     </message>
     <message>
         <source>the same time</source>
@@ -7616,11 +7616,11 @@
     </message>
     <message>
         <source>%1° left</source>
-        <translation>%1° esquerda</translation>
+        <translation>%1° à esquerda</translation>
     </message>
     <message>
         <source>%1° right</source>
-        <translation>%1° direita</translation>
+        <translation>%1° à direita</translation>
     </message>
     <message>
         <source>tank %1</source>
@@ -7671,7 +7671,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Coberto</translation>
+        <translation>Trabalhado</translation>
     </message>
     <message>
         <source>As if the implement ran in the middle of the recorded line</source>
@@ -7778,7 +7778,7 @@
     </message>
     <message>
         <source>Planning …</source>
-        <translation>Planejando …</translation>
+        <translation>Planejando…</translation>
     </message>
     <message>
         <source>Drivable</source>
@@ -7811,7 +7811,7 @@
     </message>
     <message>
         <source>%1 drivable</source>
-        <translation>%1 percorríveis</translation>
+        <translation>%1 executáveis</translation>
     </message>
 </context>
 <context>
@@ -8105,7 +8105,7 @@
     </message>
     <message>
         <source>Missed</source>
-        <translation>Não trabalhado</translation>
+        <translation>Falhas</translation>
     </message>
     <message>
         <source>Outside the field</source>
@@ -8165,7 +8165,7 @@
     </message>
     <message>
         <source>%1 missed</source>
-        <translation>%1 não feitos</translation>
+        <translation>%1 de falhas</translation>
     </message>
     <message>
         <source>Swaths along %1</source>
@@ -8254,7 +8254,7 @@
     </message>
     <message>
         <source>Time</source>
-        <translation>Tempo</translation>
+        <translation>Horário</translation>
     </message>
     <message>
         <source>Product</source>
@@ -8312,11 +8312,11 @@
     </message>
     <message>
         <source>path %1</source>
-        <translation>trajeto %1</translation>
+        <translation>percurso %1</translation>
     </message>
     <message>
         <source>covered %1</source>
-        <translation>coberto %1</translation>
+        <translation>trabalhado %1</translation>
     </message>
     <message>
         <source>worked twice %1</source>
@@ -8355,7 +8355,7 @@
     </message>
     <message>
         <source>Covered</source>
-        <translation>Coberto</translation>
+        <translation>Trabalhado</translation>
     </message>
     <message>
         <source>Missed</source>
@@ -8371,7 +8371,7 @@
     </message>
     <message>
         <source>In reverse</source>
-        <translation>Em marcha a ré</translation>
+        <translation>De ré</translation>
     </message>
     <message>
         <source>Problems</source>
@@ -8383,7 +8383,7 @@
     </message>
     <message>
         <source>The standard settings</source>
-        <translation>Os ajustes padrão</translation>
+        <translation>As configurações padrão</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -8402,7 +8402,7 @@
     </message>
     <message>
         <source>Take the standard settings</source>
-        <translation>Usar os ajustes padrão</translation>
+        <translation>Usar as configurações padrão</translation>
     </message>
 </context>
 <context>
@@ -8612,7 +8612,7 @@
     </message>
     <message>
         <source>Type something from %1 to %2.</source>
-        <translation>Digite algo de %1 a %2.</translation>
+        <translation>Digite um valor de %1 a %2.</translation>
     </message>
     <message>
         <source>%1 mi</source>
