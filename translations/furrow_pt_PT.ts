@@ -368,7 +368,7 @@
     </message>
     <message>
         <source>Speed on longer ways with the implement lifted.</source>
-        <translation>Velocidade em caminhos longos com a alfaia levantada.</translation>
+        <translation>Velocidade em deslocações longas com a alfaia levantada.</translation>
     </message>
     <message>
         <source>Speed with the implement at work.</source>
@@ -460,11 +460,11 @@
     </message>
     <message>
         <source>did you mean &apos;%1&apos;? use one of: %2; or give a machine file (.json)</source>
-        <translation>seria “%1”? use uma de: %2; ou dê um ficheiro de máquina (.json)</translation>
+        <translation>seria “%1”? use uma de: %2; ou indique um ficheiro de máquina (.json)</translation>
     </message>
     <message>
         <source>download the file and give its path</source>
-        <translation>transfira o ficheiro e dê o caminho</translation>
+        <translation>transfira o ficheiro e indique o caminho</translation>
     </message>
     <message>
         <source>draw it as an area, or remove it from the file</source>
@@ -488,27 +488,27 @@
     </message>
     <message>
         <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
-        <translation>dê um GeoTIFF ou um ficheiro de georreferência (.pgw) ao lado do PNG</translation>
+        <translation>indique um GeoTIFF ou um ficheiro de georreferência (.pgw) ao lado do PNG</translation>
     </message>
     <message>
         <source>give a curve that does not, or plan its parts apart</source>
-        <translation>dê uma curva que não se cruze ou planeie as partes separadamente</translation>
+        <translation>indique uma curva que não se cruze ou planeie as partes separadamente</translation>
     </message>
     <message>
         <source>give a file on a disk</source>
-        <translation>dê um ficheiro em um disco</translation>
+        <translation>indique um ficheiro em um disco</translation>
     </message>
     <message>
         <source>give a file with a line for each row</source>
-        <translation>dê um ficheiro com uma linha por fileira</translation>
+        <translation>indique um ficheiro com uma linha por fileira</translation>
     </message>
     <message>
         <source>give a machine file (JSON)</source>
-        <translation>dê um ficheiro de máquina (JSON)</translation>
+        <translation>indique um ficheiro de máquina (JSON)</translation>
     </message>
     <message>
         <source>give it a kind, or remove it from the file</source>
-        <translation>dê-lhe um tipo, ou remova-o do ficheiro</translation>
+        <translation>indique o tipo, ou remova-o do ficheiro</translation>
     </message>
     <message>
         <source>give it the field that it lies in, or remove it from the file</source>
@@ -516,15 +516,15 @@
     </message>
     <message>
         <source>give one of the files in it</source>
-        <translation>dê um dos ficheiros nela</translation>
+        <translation>indique um dos ficheiros nela</translation>
     </message>
     <message>
         <source>give the file TASKDATA.XML</source>
-        <translation>dê o ficheiro TASKDATA.XML</translation>
+        <translation>indique o ficheiro TASKDATA.XML</translation>
     </message>
     <message>
         <source>give the folder of one of these, or a file in it</source>
-        <translation>dê a pasta de um deles ou um ficheiro nela</translation>
+        <translation>indique a pasta de um deles ou um ficheiro nela</translation>
     </message>
     <message>
         <source>it has another coordinate system than the file</source>
@@ -724,7 +724,7 @@
     </message>
     <message>
         <source>use one of: %1; or give a machine file (.json)</source>
-        <translation>use uma de: %1; ou dê um ficheiro de máquina (.json)</translation>
+        <translation>use uma de: %1; ou indique um ficheiro de máquina (.json)</translation>
     </message>
     <message>
         <source>what is on the stick is not the plan: %1</source>
@@ -804,7 +804,7 @@
     </message>
     <message>
         <source>The implement is folded on the way from %1 to %2.</source>
-        <translation>A alfaia vai dobrada neste caminho: %1 → %2.</translation>
+        <translation>A alfaia vai dobrada nesta deslocação: %1 → %2.</translation>
     </message>
     <message>
         <source>The machine has to stand for %1 s to fold its implement or to unfold it, and does not in %2.</source>
@@ -879,7 +879,7 @@
     <name>PreferencesDialog</name>
     <message>
         <source>Fields take both: 7.3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Files always hold metres.</source>
-        <translation>Os campos aceitam ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Os ficheiros contêm sempre metros.</translation>
+        <translation>As caixas aceitam ambas: 7,3 m, 24 ft, 10&apos;6&quot;, 8 km/h, 5 mph. Os ficheiros contêm sempre metros.</translation>
     </message>
 </context>
 <context>
