@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>finish drawing; type into the inspector</source>
-        <translation>terminar el dibujo; escribir en el panel derecho</translation>
+        <translation>terminar el dibujo; escribir a la derecha</translation>
     </message>
     <message>
         <source>Alt</source>

@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>finish drawing; type into the inspector</source>
-        <translation>terminer le dessin ; saisir dans le panneau de droite</translation>
+        <translation>terminer le dessin ; saisir à droite</translation>
     </message>
     <message>
         <source>Alt</source>

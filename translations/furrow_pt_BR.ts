@@ -1737,7 +1737,7 @@
     </message>
     <message>
         <source>finish drawing; type into the inspector</source>
-        <translation>concluir o desenho; digitar no painel da direita</translation>
+        <translation>concluir o desenho; digitar à direita</translation>
     </message>
     <message>
         <source>Alt</source>
