@@ -143,7 +143,7 @@ private slots:
         use("de", true);
         // 20 m are 65.6 ft.
         QCOMPARE(fields.complaint(QStringLiteral("66"), QuantityText::Length, 0.0, 20.0, 1),
-                 QStringLiteral("Etwas von 0 ft bis 65,6 ft eintippen."));
+                 QStringLiteral("Einen Wert von 0 ft bis 65,6 ft eintippen."));
         QVERIFY(fields.complaint(QStringLiteral("65,6"), QuantityText::Length, 0.0, 20.0, 1).isEmpty());
     }
 
