@@ -1,6 +1,7 @@
 #include "planner/io/delivery/checked_files.h"
 
 #include "planner/io/check/export_check.h"
+#include "planner/io/content/finite_numbers.h"
 #include "planner/io/formats/registry.h"
 
 #include <utility>
@@ -8,6 +9,9 @@
 namespace furrow {
 
 Result<FormatFiles> checkedFiles(const Format& format, const ExportJob& job) {
+    if (const auto checked = checkNumbers(job); !checked) {
+        return std::unexpected(checked.error());
+    }
     auto made = format.writing.write(job);
     if (!made) {
         return made;
