@@ -209,8 +209,10 @@ FieldPlan planFrom(const OrderedJson& json, Notes& notes) {
     if (const auto machine = parseMachine(textOf(known), called)) {
         plan.machine = *machine;
     } else if (!known.empty()) {
-        notes.push_back(message("{}: its machine cannot be used: {}", called, machine.error().what));
-        unknown.update(known);
+        notes.push_back(message("{}: {} ({}); the plan is made with {} until then", machine.error().where,
+                                machine.error().what, machine.error().remedy, plan.machine.name()));
+        // Beside the one in its place, which has the same keys.
+        others["refused_machine"] = known;
     }
     if (!unknown.empty()) {
         others["machine"] = unknown;

@@ -1,4 +1,6 @@
+#include "planner/headland/methods.h"
 #include "planner/io/import/boundary_import.h"
+#include "planner/machine/machine_library.h"
 #include "planner/project/migrations.h"
 #include "planner/project/project_edits.h"
 #include "planner/project/project_file.h"
@@ -189,6 +191,46 @@ private slots:
         const auto again = parseProject(written, "farm.furrow");
         VERIFY_RESULT(again);
         QVERIFY(again->project == read->project);
+    }
+    /// Ranges of machines came later than projects: such a farm opens, and says what is to be corrected.
+    void aMachineBeyondTheRangesIsTold_data() {
+        QTest::addColumn<QByteArray>("member");
+        QTest::addColumn<QByteArrayList>("told");
+        QTest::newRow("width") << QByteArray{R"("raised_width_m": 10000)"}
+                               << QByteArrayList{"raised_width_m", "10000 m is beyond", "did you mean 10 m?"};
+        QTest::newRow("millimetres") << QByteArray{R"("vehicle_width_m": 2500)"}
+                                     << QByteArrayList{"vehicle_width_m", "2500 m", "did you mean 2.5 m?"};
+        QTest::newRow("negative radius") << QByteArray{R"("min_turning_radius_m": -3)"}
+                                            << QByteArrayList{"min_turning_radius_m", "-3 m", "give a number from"};
+        QTest::newRow("speed") << QByteArray{R"("working_speed_mps": 1e-9)"}
+                               << QByteArrayList{"working_speed_mps", "1e-09 m/s", "from 0.01 to"};
+    }
+    void aMachineBeyondTheRangesIsTold() {
+        QFETCH(QByteArray, member);
+        QFETCH(QByteArrayList, told);
+        const std::string text = R"({"type": "FeatureCollection",
+          "furrow_project": {"format_version": 1, "name": "Farm",
+            "plans": [{"id": "p", "field": "f", "name": "Drilling",
+              "machine": {"operating_width_m": 3, "turning_speed_mps": 1, )" +
+                                 member.toStdString() + R"(},
+              "settings": {"headland.width_m": 20}}]},
+          "features": [
+            {"type": "Feature", "properties": {"kind": "field", "field": "f", "name": "A"},
+             "geometry": {"type": "Polygon", "coordinates": [[[22.5, 58.25], [22.507, 58.25], [22.507, 58.2535], [22.5, 58.25]]]}}]})";
+        const auto read = parseProject(text, "farm.furrow");
+        VERIFY_RESULT(read);
+        QCOMPARE(read->notes.size(), std::size_t{1});
+        const QByteArray note = QByteArray::fromStdString(read->notes.front().text());
+        for (const QByteArray& each : told + QByteArrayList{"Drilling", "the plan is made with"}) {
+            QVERIFY2(note.contains(each), note);
+        }
+        // The rest of it is there.
+        QCOMPARE(read->project.fields.size(), std::size_t{1});
+        QCOMPARE(read->project.plan().settings.length(kHeadlandWidth).value().si(), 20.0);
+        QVERIFY(read->project.plan().machine == machineLibrary().front());
+        // What was given is not lost when the farm is saved.
+        const QByteArray written = QByteArray::fromStdString(projectText(read->project));
+        QVERIFY2(written.contains("refused_machine") && written.contains("\"turning_speed_mps\":1"), written);
     }
     /// As QGIS leaves them when somebody copies a field or draws one.
     void fieldsOfOtherProgramsGetIds() {
