@@ -1,10 +1,30 @@
 #include "planner/plan/mainland_parts.h"
 
 #include "planner/plan/method_registry.h"
+#include "planner/swaths/heading_search.h"
 
 #include <algorithm>
 
 namespace furrow {
+
+namespace {
+
+/// Tracks are counted before they are laid, the pieces into which an outline cuts them only here. Orders take
+/// time with the square of their number.
+Result<SwathSet> checkedCount(SwathSet set) {
+    if (set.swaths.size() <= kMostSwaths) {
+        return set;
+    }
+    return std::unexpected(
+        Error{.code = ErrorCode::InputRefused,
+              .what = message("the outline cuts the tracks into {} swaths, and no plan may have more than {}",
+                              set.swaths.size(), kMostSwaths),
+              .where = "swaths",
+              .remedy = "plan parts of the field by themselves, choose another heading, or take small "
+                        "obstacles out of the boundary"});
+}
+
+}  // namespace
 
 PartCollector::PartCollector(const SwathSet& common, const MultiPolygon& mainland)
     : laid_{.swaths = common, .parts = {}, .mainland = mainland} {
@@ -47,7 +67,8 @@ Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& 
               .machine = request.machine,
               .settings = request.settings,
               .guides = request.guides.get()},
-             job);
+             job)
+        .and_then(checkedCount);
 }
 
 }  // namespace furrow

@@ -26,7 +26,8 @@ private:
 /// The swaths of one part in a set of their own, as the methods read them.
 SwathSet setOf(const SwathSet& all, const MainlandPart& part);
 
-/// The swaths that the chosen method lays in a mainland. Errors: those of the method.
+/// The swaths that the chosen method lays in a mainland. Errors: those of the method. InputRefused: more than
+/// 10,000 of them.
 Result<SwathSet> swathsByMethod(const PlanRequest& request, const MultiPolygon& mainland,
                                 const JobContext& job);
 

@@ -1,3 +1,4 @@
+#include "planner/geometry/box_tree.h"
 #include "planner/swaths/curved_swaths.h"
 #include "planner/swaths/guide_curve.h"
 #include "planner/swaths/heading_search.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 namespace furrow {
 
@@ -17,6 +19,9 @@ constexpr double kCornerRad = 35.0 * std::numbers::pi / 180.0;
 // or when it has turned by more than this from the picked edge. A line that comes back beside itself is no
 // guide.
 constexpr double kWholeBendRad = 90.0 * std::numbers::pi / 180.0;
+
+// Tracks beside a line that is farther away would be drawn for longer than anybody waits.
+constexpr double kFarthestM = 10'000.0;
 
 /// The ring that holds edge `number`, counted along every ring of the boundary, and the edge's index in it.
 struct PickedEdge {
@@ -108,6 +113,15 @@ Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
         return std::unexpected(spacing.error());
     }
     Bounds box = bounds(task.mainland);
+    const double awayM = std::ranges::min(
+        *points | std::views::transform([&](Point point) { return distanceM(point, box); }));
+    if (!(awayM <= kFarthestM)) {
+        return std::unexpected(
+            Error{.code = ErrorCode::InputRefused,
+                  .what = message("the curve is {:.0f} km away from the field", 1e-3 * awayM),
+                  .where = std::string{kLine.key},
+                  .remedy = "give one beside it, in WGS84, longitude first"});
+    }
     for (const Point& point : *points) {
         box = {{std::min(box.min.x, point.x), std::min(box.min.y, point.y)},
                {std::max(box.max.x, point.x), std::max(box.max.y, point.y)}};

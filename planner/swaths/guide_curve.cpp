@@ -18,6 +18,11 @@ constexpr Length kSimplified = metres(0.05);
 constexpr Length kGentle = metres(0.1);
 // An extended line ends this far before it meets itself.
 constexpr double kApartM = 1.0;
+// A curve that turns on and on within a machine's length has so many corners near each other that working out
+// where it could be followed has no end. A machine can turn by the length over its radius; rounding takes some
+// of the corners away.
+constexpr double kTurnsSpared = 4.0 * std::numbers::pi;
+constexpr double kTurnsRounded = 3.0;
 // A sharper bend is a turn back.
 constexpr Angle kSharpest = degrees(175.0);
 
@@ -124,6 +129,25 @@ std::vector<GuideLine> rounded(const GuideLine& line, Length radius, Angle sharp
     return result;
 }
 
+/// How far a line turns, to either side, in all.
+double turnedRad(const Polyline& line) {
+    double sum = 0.0;
+    for (std::size_t i = 2; i < line.size(); ++i) {
+        const Point in = line[i - 1] - line[i - 2];
+        const Point out = line[i] - line[i - 1];
+        sum += std::abs(std::atan2(cross(in, out), dot(in, out)));
+    }
+    return sum;
+}
+
+Error tooSharp(Length radius, std::string_view where) {
+    return {.code = ErrorCode::InputRefused,
+            .what = message("the curve bends more sharply than this machine can follow ({:.1f} m of radius)",
+                            radius.si()),
+            .where = std::string{where},
+            .remedy = "give a gentler curve, or one without a turn back"};
+}
+
 }  // namespace
 
 Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach, std::string_view where) {
@@ -142,15 +166,13 @@ Result<GuideLine> guideCurve(const Polyline& points, Length radius, Length reach
                                      .where = std::string{where},
                                      .remedy = "give a curve that does not, or plan its parts apart"});
     }
+    if (turnedRad(line) > kTurnsSpared + kTurnsRounded * lengthM(line) / radius.si()) {
+        return std::unexpected(tooSharp(radius, where));
+    }
     std::vector<GuideLine> result =
         rounded(guideLineThrough(drawnOut(line, reach.si()), radius, kGentle), radius, kSharpest);
     if (result.size() != 1) {
-        return std::unexpected(Error{
-            .code = ErrorCode::InputRefused,
-            .what = message("the curve bends more sharply than this machine can follow ({:.1f} m of radius)",
-                            radius.si()),
-            .where = std::string{where},
-            .remedy = "give a gentler curve, or one without a turn back"});
+        return std::unexpected(tooSharp(radius, where));
     }
     return std::move(result.front());
 }

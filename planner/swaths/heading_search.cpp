@@ -56,8 +56,7 @@ Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anch
 }
 
 Result<void> checkTrackCount(const SwathSpacing& spacing, Length across) {
-    // Twice what the narrowest machine makes of the largest fields.
-    constexpr double kMostTracks = 10'000.0;
+    constexpr auto kMostTracks = static_cast<double>(kMostSwaths);
     const Length step = spacing.width - spacing.overlap;
     const double count = across / step;
     if (count <= kMostTracks) {

@@ -11,6 +11,9 @@ namespace furrow {
 /// InputRefused: the overlap is not below the operating width.
 Result<SwathSpacing> spacingFor(const SwathTask& task, std::optional<Point> anchor = {});
 
+/// Of one plan: twice what the narrowest machine makes of the largest fields.
+inline constexpr std::size_t kMostSwaths = 10'000;
+
 /// Told before the work begins. InputRefused: a land so broad would get over 10,000 tracks.
 Result<void> checkTrackCount(const SwathSpacing& spacing, Length across);
 
