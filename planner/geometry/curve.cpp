@@ -3,7 +3,10 @@
 #include "planner/units/angle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace furrow {
 
@@ -22,17 +25,38 @@ constexpr double kPanelRad = 1.5;
 // Up to this angle the series of `directionNear` is exact to rounding.
 constexpr double kSeriesRad = 1.0;
 
-/// The direction of a small angle, by its power series: some five times as quick as sine and cosine, and most
-/// of a clothoid's cost. The next terms are below 1e-18.
-Point directionNear(double angle) {
-    const double square = angle * angle;
-    double cosine = 0.0;
-    double sine = 0.0;
-    for (int term = 18; term > 0; term -= 2) {
-        cosine = -(1.0 / (term * (term - 1))) * square * (1.0 + cosine);
-        sine = -(1.0 / (term * (term + 1))) * square * (1.0 + sine);
+constexpr std::size_t kAtOnce = 2 * std::size(kNodes);
+// Pairs of factors from one term of both series to the next, the last one first.
+constexpr std::array kSeriesFactors = [] {
+    std::array<std::array<double, 2>, 9> factors{};
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const auto term = static_cast<int>(2 * (factors.size() - i));
+        factors[i] = {-(1.0 / (term * (term - 1))), -(1.0 / (term * (term + 1)))};
     }
-    return {1.0 + cosine, angle * (1.0 + sine)};
+    return factors;
+}();
+
+/// The directions of some small angles, by their power series: some five times as quick as sine and cosine,
+/// and most of a clothoid's cost. The next terms are below 1e-18. Each angle is worked out by itself, so they
+/// can be worked out together.
+void directionsNear(const std::array<double, kAtOnce>& angles, std::array<double, kAtOnce>& cosines,
+                    std::array<double, kAtOnce>& sines) {
+    std::array<double, kAtOnce> squares;
+    for (std::size_t i = 0; i < kAtOnce; ++i) {
+        squares[i] = angles[i] * angles[i];
+        cosines[i] = 0.0;
+        sines[i] = 0.0;
+    }
+    for (const auto& [even, odd] : kSeriesFactors) {
+        for (std::size_t i = 0; i < kAtOnce; ++i) {
+            cosines[i] = even * squares[i] * (1.0 + cosines[i]);
+            sines[i] = odd * squares[i] * (1.0 + sines[i]);
+        }
+    }
+    for (std::size_t i = 0; i < kAtOnce; ++i) {
+        cosines[i] = 1.0 + cosines[i];
+        sines[i] = angles[i] * (1.0 + sines[i]);
+    }
 }
 
 /// The displacement in the frame of the start over `way` (negative in reverse), with the curvature k + rate
@@ -42,17 +66,30 @@ Point clothoidDisplacement(double way, double k, double rate) {
     const int panels = std::max(1, static_cast<int>(std::ceil(largest * std::abs(way) / kPanelRad)));
     const double half = 0.5 * way / panels;
     const bool isSmall = largest * std::abs(way) <= kSeriesRad;
-    const auto at = [&](double s) {
-        const double angle = s * (k + 0.5 * rate * s);
-        return isSmall ? directionNear(angle) : direction(angle);
-    };
+    const auto angleAt = [&](double s) { return s * (k + 0.5 * rate * s); };
+    std::array<double, kAtOnce> angles;
+    std::array<double, kAtOnce> cosines;
+    std::array<double, kAtOnce> sines;
     Point sum;
     for (int panel = 0; panel < panels; ++panel) {
         const double middle = (2 * panel + 1) * half;
-        for (int i = 0; i < 5; ++i) {
-            const double before = middle - half * kNodes[i];
-            const double after = middle + half * kNodes[i];
-            sum = sum + kWeights[i] * (at(before) + at(after));
+        for (std::size_t i = 0; i < std::size(kNodes); ++i) {
+            angles[2 * i] = angleAt(middle - half * kNodes[i]);
+            angles[2 * i + 1] = angleAt(middle + half * kNodes[i]);
+        }
+        if (isSmall) {
+            directionsNear(angles, cosines, sines);
+        } else {
+            for (std::size_t i = 0; i < kAtOnce; ++i) {
+                const Point towards = direction(angles[i]);
+                cosines[i] = towards.x;
+                sines[i] = towards.y;
+            }
+        }
+        for (std::size_t i = 0; i < std::size(kNodes); ++i) {
+            const Point before{cosines[2 * i], sines[2 * i]};
+            const Point after{cosines[2 * i + 1], sines[2 * i + 1]};
+            sum = sum + kWeights[i] * (before + after);
         }
     }
     return half * sum;
