@@ -20,11 +20,9 @@ AveragingWindows::AveragingWindows(std::span<const double> fromM, std::span<cons
     }
 }
 
-double AveragingWindows::at(double m) const {
+std::size_t AveragingWindows::stretchAt(double m) const {
     const auto after = std::upper_bound(placesM_.begin() + 1, placesM_.end() - 1, m);
-    const auto i = static_cast<std::size_t>(after - placesM_.begin()) - 1;
-    return std::max(
-        0.0, std::min({mostM_[i], limitsM_[i] + (m - placesM_[i]), limitsM_[i + 1] + (placesM_[i + 1] - m)}));
+    return static_cast<std::size_t>(after - placesM_.begin()) - 1;
 }
 
 std::vector<double> AveragingWindows::kinks() const {

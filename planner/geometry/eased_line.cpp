@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace furrow {
@@ -86,9 +87,10 @@ private:
         // Its half grows or falls by half a metre in each metre.
         double near = m;
         double far = std::clamp(m - ahead * most, 0.0, line_.lengthM());
+        std::size_t stretch = windows_.stretchAt(m);
         for (int i = 0; i < 60 && std::abs(far - near) > 0.1 * kSamePlaceM; ++i) {
             const double middle = 0.5 * (near + far);
-            const bool reaches = ahead * (middle + ahead * 0.5 * windows_.at(middle) - m) >= 0.0;
+            const bool reaches = ahead * (middle + ahead * 0.5 * windows_.at(middle, stretch) - m) >= 0.0;
             (reaches ? near : far) = middle;
         }
         return 0.5 * (near + far);
@@ -289,18 +291,23 @@ private:
             return std::pair{goal.position - end.position, wrappedAngle(goal.heading - end.heading).si()};
         };
         std::vector<Change> changes;
+        std::optional<Pose> last;
         for (int round = 0; round < kMostRounds; ++round) {
             const Pose end = drive(pieces);
             const auto [missing, turn] = missingAt(end);
+            if (norm(missing) < kEndM && std::abs(turn) < kEndRad) {
+                last = end;
+                break;
+            }
             // Derivatives hold for a few steps.
             if (round % kSameDerivatives == 0) {
-                changes = changesOf(pieces, end);
+                changesOf(pieces, end, changes);
             }
-            if ((norm(missing) < kEndM && std::abs(turn) < kEndRad) || !stretch(changes, missing, turn)) {
+            if (!stretch(changes, missing, turn)) {
                 break;
             }
         }
-        const auto [missing, turn] = missingAt(drive(pieces));
+        const auto [missing, turn] = missingAt(last ? *last : drive(pieces));
         const bool reached = norm(missing) < kNearEndM && std::abs(turn) < kNearEndRad;
         const bool keptLengths = std::ranges::all_of(pieces, [](const EasedPiece& piece) {
             const double wasM = piece.toM - piece.fromM;
@@ -358,8 +365,8 @@ private:
         return {by.x - turn * rest.y, by.y + turn * rest.x, turn};
     }
 
-    std::vector<Change> changesOf(std::span<EasedPiece> pieces, const Pose& end) const {
-        std::vector<Change> changes;
+    static void changesOf(std::span<EasedPiece> pieces, const Pose& end, std::vector<Change>& changes) {
+        changes.clear();
         const auto addCurvature = [&](const Eigen::Vector3d& moves, Curvature* before, Curvature* after,
                                       double lengthM) {
             const double curvature = (before != nullptr ? before : after)->si();
@@ -396,7 +403,6 @@ private:
                 addCurvature(there, nullptr, &after.piece.curvature, nextM);
             }
         }
-        return changes;
     }
 
     /// One step of Newton. The weights keep the change of each value in proportion to it. A curvature stays
