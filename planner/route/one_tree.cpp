@@ -17,6 +17,7 @@ constexpr double kLeastStep = 1e-4;
 // Rounds without a better bound before the step is halved.
 constexpr std::size_t kPatience = 20;
 constexpr double kReached = 1e-9;
+constexpr std::size_t kNoLink = std::numeric_limits<std::size_t>::max();
 
 /// The cheapest end and the cheapest one other than it.
 struct TwoCheapest {
@@ -75,34 +76,67 @@ void OneTreeFinder::addDepot(std::span<const double> multipliers) {
     ++tree_.degrees[tree_.last];
 }
 
+/// Of every tree that is left, the least link to another one belongs to the least tree (Boruvka 1926). Equal
+/// weights go by index, so there is one least tree, and every way to find it gives the same.
+void OneTreeFinder::pickLinks() {
+    std::iota(roots_.begin(), roots_.end(), std::size_t{0});
+    between_ = order_;
+    tree_.links.clear();
+    while (tree_.links.size() + 1 < task_.swathCount) {
+        least_.assign(task_.swathCount, kNoLink);
+        const auto offer = [this](std::size_t root, std::size_t link) {
+            if (least_[root] == kNoLink || weights_[link] < weights_[least_[root]]) {
+                least_[root] = link;
+            }
+        };
+        // Links stay in the order of their indices.
+        std::size_t kept = 0;
+        for (const std::size_t i : between_) {
+            const std::size_t a = roots_[task_.links[i].a / 2];
+            const std::size_t b = roots_[task_.links[i].b / 2];
+            if (a != b) {
+                between_[kept++] = i;
+                offer(a, i);
+                offer(b, i);
+            }
+        }
+        between_.resize(kept);
+        if (kept == 0) {
+            return;
+        }
+        for (const std::size_t i : least_) {
+            if (i == kNoLink) {
+                continue;
+            }
+            const std::size_t a = rootOf(task_.links[i].a / 2);
+            const std::size_t b = rootOf(task_.links[i].b / 2);
+            if (a != b) {
+                roots_[a] = b;
+                tree_.links.push_back(i);
+            }
+        }
+        for (std::size_t swath = 0; swath < task_.swathCount; ++swath) {
+            roots_[swath] = rootOf(swath);
+        }
+    }
+}
+
 const OneTree& OneTreeFinder::find(std::span<const double> multipliers) {
     for (const std::size_t i : order_) {
         const UndirectedLink& link = task_.links[i];
         weights_[i] = link.cost + multipliers[link.a] + multipliers[link.b];
     }
-    // Equal weights in a fixed order: the tree is the same wherever it is made.
-    std::ranges::sort(order_, [this](std::size_t a, std::size_t b) {
+    pickLinks();
+    // Sums round alike wherever the tree is made.
+    std::ranges::sort(tree_.links, [this](std::size_t a, std::size_t b) {
         return std::pair{weights_[a], a} < std::pair{weights_[b], b};
     });
-    std::iota(roots_.begin(), roots_.end(), std::size_t{0});
-    tree_.links.clear();
     tree_.degrees.assign(2 * task_.swathCount, 0);
     tree_.cost = 0.0;
-    for (const std::size_t i : order_) {
-        const UndirectedLink& link = task_.links[i];
-        const std::size_t a = rootOf(link.a / 2);
-        const std::size_t b = rootOf(link.b / 2);
-        if (a == b) {
-            continue;
-        }
-        roots_[a] = b;
+    for (const std::size_t i : tree_.links) {
         tree_.cost += weights_[i];
-        tree_.links.push_back(i);
-        ++tree_.degrees[link.a];
-        ++tree_.degrees[link.b];
-        if (tree_.links.size() + 1 == task_.swathCount) {
-            break;
-        }
+        ++tree_.degrees[task_.links[i].a];
+        ++tree_.degrees[task_.links[i].b];
     }
     if (tree_.links.size() + 1 < task_.swathCount) {
         tree_.cost = kInfinite;

@@ -20,7 +20,7 @@ struct UndirectedLink {
 /// swaths is one of these, in which every end has one link.
 struct OneTree {
     double cost = 0.0;  ///< with the multipliers added to its links and taken off once for every end
-    std::vector<std::size_t> links;  ///< indices of the links of the tree
+    std::vector<std::size_t> links;  ///< indices of the links of the tree, by weight
     SwathEnd first = 0;              ///< where the depot's way in arrives
     SwathEnd last = 0;               ///< where its way out begins
     std::vector<int> degrees;        ///< links at every end
@@ -42,16 +42,19 @@ class OneTreeFinder {
 public:
     explicit OneTreeFinder(const OneTreeTask& task);
 
-    /// Of infinite cost if the links do not join all swaths. Cost: O(links log links).
+    /// Of infinite cost if the links do not join all swaths. Cost: O(links log swaths).
     const OneTree& find(std::span<const double> multipliers);
 
 private:
     std::size_t rootOf(std::size_t swath);
+    void pickLinks();
     void addDepot(std::span<const double> multipliers);
 
     OneTreeTask task_;
     OneTree tree_;
-    std::vector<std::size_t> order_;  ///< of the links, by weight with the last multipliers
+    std::vector<std::size_t> order_;    ///< of the links that join anything: by index
+    std::vector<std::size_t> between_;  ///< those that still join two trees
+    std::vector<std::size_t> least_;    ///< from each tree, by its root, to another one
     std::vector<double> weights_;
     std::vector<std::size_t> roots_;
 };
