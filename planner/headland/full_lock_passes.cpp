@@ -213,12 +213,51 @@ public:
         return found;
     }
 
+    /// A bend whose room is not yet looked at.
+    struct Bend {
+        std::size_t side = 0;  ///< of those that are driven once
+        Point around;
+        Angle begin;
+        std::size_t worked = 0;  ///< places of the piece that it passes over
+        double mostM2 = 0.0;     ///< that it gains
+    };
+
+    /// Bends round middles and round places farther inwards that pass over the piece.
+    std::vector<Bend> bendsAround(std::span<const Point> middles) const {
+        std::vector<Bend> bends;
+        for (const Point& middle : middles) {
+            const double awayM = distance(middle, mean_);
+            const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
+            for (const double inwardsM : kInwardsM) {
+                const Point around = middle + inwardsM * inwards;
+                for (int i = 0; i < 2 * kBegins; ++i) {
+                    const Angle begin =
+                        radians(2.0 * std::numbers::pi * (i / 2) / kBegins);  // both sides at each
+                    const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
+                    if (std::abs(ahead.si()) <= kLeastBeforeRad) {
+                        continue;
+                    }
+                    Bend bend{static_cast<std::size_t>(i % 2), around, begin};
+                    bend.worked = placesUnder(bend);
+                    if (bend.worked > 0) {
+                        bends.push_back(bend);
+                    }
+                }
+            }
+        }
+        return bends;
+    }
+
     /// The bend with the largest gain that has room, and a way in and out, after a straight of `leadM`. A
     /// bend gains no more than the places that it passes over are worth, so the room of others is not looked
     /// at.
-    std::optional<Candidate> best(std::span<const Point> middles, double leadM, AskedAccess access,
+    std::optional<Candidate> best(std::vector<Bend> bends, double leadM, AskedAccess access,
                                   const JobContext& job) const {
-        const std::vector<Bend> bends = bendsAround(middles, leadM);
+        for (Bend& bend : bends) {
+            bend.mostM2 = gainM2(bend.worked, leadM + kLengthsOut * passes_.straightM_);
+        }
+        std::erase_if(bends, [](const Bend& bend) { return bend.mostM2 <= 0.0; });
+        std::ranges::stable_sort(bends, std::ranges::greater{}, &Bend::mostM2);
         const auto less = [](const Candidate& a, const Candidate& b) { return a.gainM2 < b.gainM2; };
         std::vector<Candidate> fitting;  // a heap
         double leastM2 = 0.0;
@@ -251,43 +290,6 @@ public:
     }
 
 private:
-    /// A bend that is not yet looked at.
-    struct Bend {
-        std::size_t side = 0;  ///< of those that are driven once
-        Point around;
-        Angle begin;
-        double mostM2 = 0.0;  ///< that it gains
-    };
-
-    /// Bends round middles and round places farther inwards that pass over the piece, those that may gain
-    /// most first.
-    std::vector<Bend> bendsAround(std::span<const Point> middles, double leadM) const {
-        std::vector<Bend> bends;
-        for (const Point& middle : middles) {
-            const double awayM = distance(middle, mean_);
-            const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
-            for (const double inwardsM : kInwardsM) {
-                const Point around = middle + inwardsM * inwards;
-                for (int i = 0; i < 2 * kBegins; ++i) {
-                    const Angle begin =
-                        radians(2.0 * std::numbers::pi * (i / 2) / kBegins);  // both sides at each
-                    const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
-                    if (std::abs(ahead.si()) <= kLeastBeforeRad) {
-                        continue;
-                    }
-                    Bend bend{static_cast<std::size_t>(i % 2), around, begin};
-                    const std::size_t worked = placesUnder(bend);
-                    bend.mostM2 = gainM2(worked, leadM + kLengthsOut * passes_.straightM_);
-                    if (worked > 0 && bend.mostM2 > 0.0) {
-                        bends.push_back(bend);
-                    }
-                }
-            }
-        }
-        std::ranges::stable_sort(bends, std::ranges::greater{}, &Bend::mostM2);
-        return bends;
-    }
-
     double gainM2(std::size_t worked, double wayM) const {
         return areaEachM2_ * static_cast<double>(worked) - kWorthShare * widthM_ * wayM;
     }
@@ -410,12 +412,12 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
     };
     const Machine& machine = lowered_->machine();
     const Trial trial{*this, piece};
-    const std::vector<Point> middles = trial.middles();
+    const auto bends = trial.bendsAround(trial.middles());
     const AskedAccess asked{access, failed_, kCloseShare * machine.operatingWidth().si()};
     std::optional<Candidate> best;
     for (const double lengths : kLengthsIn) {
         const double leadM = std::max(lengths * straightM_, machine.runIn().si());
-        auto found = trial.best(middles, leadM, asked, job);
+        auto found = trial.best(bends, leadM, asked, job);
         if (found && (!best || found->gainM2 > best->gainM2)) {
             best = std::move(found);
         }
