@@ -58,9 +58,12 @@ public:
             if (row % kRowsBetweenStopChecks == 0 && job.stopRequested()) {
                 return std::unexpected(cancelled());
             }
-            std::erase_if(line_, [row](const Crossed& each) { return each.edge->lastHeight <= row; });
+            if (row == nextEnd_) {
+                dropEnded(row);
+            }
             for (; next < edges_.size() && edges_[next].firstHeight == row; ++next) {
-                line_.push_back({&edges_[next], 0.0, 0.0});
+                line_.push_back({&edges_[next], 0.0, edges_[next].at(heights_[row])});
+                nextEnd_ = std::min<std::size_t>(nextEnd_, edges_[next].lastHeight);
             }
             if (!line_.empty()) {
                 sweepRow(heights_[row], heights_[row + 1]);
@@ -105,9 +108,22 @@ private:
         std::ranges::stable_sort(edges_, {}, &SweepEdge::firstHeight);
     }
 
+    /// Takes the edges that end at this height off the line.
+    void dropEnded(std::size_t row) {
+        nextEnd_ = heights_.size();
+        std::erase_if(line_, [&](const Crossed& each) {
+            const std::size_t ends = each.edge->lastHeight;
+            nextEnd_ = ends > row ? std::min(nextEnd_, ends) : nextEnd_;
+            return ends <= row;
+        });
+    }
+
     /// Between two heights only crossings break the straight row.
     void sweepRow(double low, double high) {
-        place(low, high);
+        for (Crossed& each : line_) {
+            each.lowX = each.highX;
+        }
+        place(high);
         findCrossings(low, high);
         if (crossings_.empty()) {
             measure(low, high);
@@ -115,18 +131,21 @@ private:
         }
         double from = low;
         for (const double to : crossings_) {
-            place(from, to);
+            place(to);
             measure(from, to);
+            for (Crossed& each : line_) {
+                each.lowX = each.highX;
+            }
             from = to;
         }
-        place(from, high);
+        place(high);
         measure(from, high);
     }
 
-    /// Sorts the edges by their order in the middle. From row to row it hardly changes.
-    void place(double low, double high) {
+    /// Moves the upper side of the row, and sorts the edges by their order in the middle. From row to row it
+    /// hardly changes.
+    void place(double high) {
         for (Crossed& each : line_) {
-            each.lowX = each.edge->at(low);
             each.highX = each.edge->at(high);
         }
         for (std::size_t i = 1; i < line_.size(); ++i) {
@@ -255,9 +274,10 @@ private:
     Point along_;
     std::uint32_t (*regionsAt_)(const Depths&);
     std::vector<Region> regions_;
-    std::vector<SweepEdge> edges_;  ///< in the order of their beginnings
-    std::vector<double> heights_;   ///< of the beginnings and ends of edges
-    std::vector<Crossed> line_;     ///< the edges that the line crosses now, from left to right
+    std::vector<SweepEdge> edges_;                                   ///< in the order of their beginnings
+    std::vector<double> heights_;                                    ///< of the beginnings and ends of edges
+    std::size_t nextEnd_ = std::numeric_limits<std::size_t>::max();  ///< of an edge on the line
+    std::vector<Crossed> line_;  ///< the edges that the line crosses now, from left to right
     std::vector<double> crossings_;
 };
 
@@ -279,26 +299,21 @@ void LayeredPolygons::add(std::size_t layer, const MultiPolygon& polygons) {
 }
 
 void LayeredPolygons::addNext(std::size_t layer, std::span<const Point> ring) {
-    std::vector<Edge> before(edges_.begin() + static_cast<std::ptrdiff_t>(std::min(last_, edges_.size())),
-                             edges_.end());
-    const std::size_t kept = edges_.size() - before.size();
-    add(layer, ring);
-    std::vector<Edge> added(edges_.begin() + static_cast<std::ptrdiff_t>(kept + before.size()), edges_.end());
-    for (auto edge = added.begin(); edge != added.end();) {
-        const auto shared = std::ranges::find_if(before, [&](const Edge& other) {
-            return other.layer == edge->layer && other.from == edge->to && other.to == edge->from;
+    const auto first = static_cast<std::ptrdiff_t>(std::min(last_, edges_.size()));
+    added_.clear();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Edge edge{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], static_cast<std::uint8_t>(layer)};
+        const auto shared = std::find_if(edges_.begin() + first, edges_.end(), [&](const Edge& other) {
+            return other.layer == edge.layer && other.from == edge.to && other.to == edge.from;
         });
-        if (shared == before.end()) {
-            ++edge;
+        if (shared == edges_.end()) {
+            added_.push_back(edge);
         } else {
-            before.erase(shared);
-            edge = added.erase(edge);
+            edges_.erase(shared);
         }
     }
-    edges_.resize(kept);
-    edges_.insert(edges_.end(), before.begin(), before.end());
     last_ = edges_.size();
-    edges_.insert(edges_.end(), added.begin(), added.end());
+    edges_.insert(edges_.end(), added_.begin(), added_.end());
 }
 
 Result<std::vector<MeasuredRegion>> measureRegions(const LayeredPolygons& polygons, Point along,

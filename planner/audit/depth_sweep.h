@@ -40,7 +40,8 @@ public:
 
 private:
     std::vector<Edge> edges_;
-    std::size_t last_ = 0;  ///< first edge of the ring that addNext added last
+    std::size_t last_ = 0;     ///< first edge of the ring that addNext added last
+    std::vector<Edge> added_;  ///< by addNext now
 };
 
 /// The requested regions, up to 32, distinguished by the depths.

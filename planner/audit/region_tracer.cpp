@@ -44,6 +44,10 @@ void RegionTracer::addRow(double low, double high, const std::vector<Span>& span
     if (low != height_) {
         endAll();
     }
+    if (goesOn(spans)) {
+        height_ = high;
+        return;
+    }
     std::vector<Open> row = rowOf(spans);
     join(low, row);
     for (Open& open : row) {
@@ -57,6 +61,20 @@ void RegionTracer::addRow(double low, double high, const std::vector<Span>& span
     }
     below_ = std::move(row);
     height_ = high;
+}
+
+/// If nothing begins or ends, only the spans move on: that is most rows.
+bool RegionTracer::goesOn(const std::vector<Span>& spans) {
+    const auto isSame = [](const Open& open, const Span& span) {
+        return isBetweenSameLines(open.span, span);
+    };
+    if (!std::ranges::equal(below_, spans, isSame)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        below_[i].span = spans[i];
+    }
+    return true;
 }
 
 /// Links spans to those that they continue from below.

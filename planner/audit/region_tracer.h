@@ -55,6 +55,7 @@ private:
         bool isLeft;
     };
 
+    bool goesOn(const std::vector<Span>& spans);
     std::vector<Open> rowOf(const std::vector<Span>& spans);
     void endAll();
     void join(double height, std::vector<Open>& above);
