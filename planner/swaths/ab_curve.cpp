@@ -113,8 +113,8 @@ Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
         return std::unexpected(spacing.error());
     }
     Bounds box = bounds(task.mainland);
-    const double awayM = std::ranges::min(
-        *points | std::views::transform([&](Point point) { return distanceM(point, box); }));
+    const double awayM =
+        std::ranges::min(*points | std::views::transform([&](Point point) { return distanceM(point, box); }));
     if (!(awayM <= kFarthestM)) {
         return std::unexpected(
             Error{.code = ErrorCode::InputRefused,

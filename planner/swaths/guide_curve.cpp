@@ -19,8 +19,8 @@ constexpr Length kGentle = metres(0.1);
 // An extended line ends this far before it meets itself.
 constexpr double kApartM = 1.0;
 // A curve that turns on and on within a machine's length has so many corners near each other that working out
-// where it could be followed has no end. A machine can turn by the length over its radius; rounding takes some
-// of the corners away.
+// where it could be followed has no end. A machine can turn by the length over its radius; rounding takes
+// some of the corners away.
 constexpr double kTurnsSpared = 4.0 * std::numbers::pi;
 constexpr double kTurnsRounded = 3.0;
 // A sharper bend is a turn back.

@@ -22,8 +22,9 @@ public:
             error_ = Error{.code = ErrorCode::InputRefused,
                            .what = message("{} is no number ({}), and nothing is written", what(), number),
                            .where = field_,
-                           .remedy = "this is a mistake of Furrow, please report it with the field, the "
-                                     "machine and the settings"};
+                           .remedy =
+                               "this is a mistake of Furrow, please report it with the field, the "
+                               "machine and the settings"};
         }
     }
     void look(const GeoRing& points, const auto& what) {

@@ -200,8 +200,9 @@ private slots:
                                << QByteArrayList{"raised_width_m", "10000 m is beyond", "did you mean 10 m?"};
         QTest::newRow("millimetres") << QByteArray{R"("vehicle_width_m": 2500)"}
                                      << QByteArrayList{"vehicle_width_m", "2500 m", "did you mean 2.5 m?"};
-        QTest::newRow("negative radius") << QByteArray{R"("min_turning_radius_m": -3)"}
-                                            << QByteArrayList{"min_turning_radius_m", "-3 m", "give a number from"};
+        QTest::newRow("negative radius")
+            << QByteArray{R"("min_turning_radius_m": -3)"}
+            << QByteArrayList{"min_turning_radius_m", "-3 m", "give a number from"};
         QTest::newRow("speed") << QByteArray{R"("working_speed_mps": 1e-9)"}
                                << QByteArrayList{"working_speed_mps", "1e-09 m/s", "from 0.01 to"};
     }
