@@ -247,6 +247,32 @@ private slots:
     }
 
     // Rings of 5 m from the rim of 100 m inwards, each whole; the innermost that can be driven has 7.5 m.
+    void aCurveThatNobodyFollowsIsRefused_data() {
+        QTest::addColumn<Polyline>("points");
+        QTest::addColumn<QByteArray>("told");
+        QTest::newRow("far away") << Polyline{{300'000.0, 0.0}, {300'100.0, 30.0}, {300'200.0, 0.0}}
+                                  << QByteArray{"away from the field"};
+        // 3,000 corners of a right angle within 3 m: 1,500 half circles.
+        Polyline scribble;
+        for (int i = 0; i < 1'500; ++i) {
+            const double x = 0.002 * i;
+            scribble.push_back({x, i % 2 == 0 ? 0.0 : 0.4});
+            scribble.push_back({x, i % 2 == 0 ? 0.4 : 0.0});
+        }
+        QTest::newRow("scribble") << scribble << QByteArray{"bends more sharply"};
+    }
+    void aCurveThatNobodyFollowsIsRefused() {
+        QFETCH(Polyline, points);
+        QFETCH(QByteArray, told);
+        const Field field = fieldFrom({test::centredRectangle(200.0, 100.0)});
+        const auto set = run(kAbCurveMethod, field, machineOf(4.0, 5.0), {{&kLine, wktOf(field, points)}});
+        QVERIFY(!set);
+        QCOMPARE(set.error().code, ErrorCode::InputRefused);
+        QVERIFY2(QByteArray::fromStdString(set.error().what.text()).contains(told),
+                 set.error().what.text().c_str());
+        QCOMPARE(set.error().where, std::string{"swaths.line"});
+    }
+
     void pivotsAreRings() {
         Ring rim;
         for (int i = 0; i < 720; ++i) {
