@@ -2292,10 +2292,6 @@
         <translation>%1, Zeile %2</translation>
     </message>
     <message>
-        <source>%1: its machine cannot be used: %2</source>
-        <translation>%1: die Maschine kann nicht verwendet werden: %2</translation>
-    </message>
-    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: die Einstellung %2 wird nicht verwendet: %3</translation>
     </message>
@@ -6400,6 +6396,134 @@
     <message>
         <source>with this wheelbase, %1 give a turning radius of %2</source>
         <translation>bei diesem Radstand ergeben %1 einen Wenderadius von %2</translation>
+    </message>
+    <message>
+        <source>%1 is no number (%2), and nothing is written</source>
+        <translation>%1 ist keine Zahl (%2), und nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3); the plan is made with %4 until then</source>
+        <translation>%1: %2 (%3); bis dahin wird mit %4 geplant</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>eine Stelle</translation>
+    </message>
+    <message>
+        <source>a place of a guidance line</source>
+        <translation>eine Stelle einer Leitlinie</translation>
+    </message>
+    <message>
+        <source>a place of an obstacle</source>
+        <translation>eine Stelle eines Hindernisses</translation>
+    </message>
+    <message>
+        <source>a place of swath %1</source>
+        <translation>eine Stelle von Spur %1</translation>
+    </message>
+    <message>
+        <source>a place of the boundary</source>
+        <translation>eine Stelle der Feldgrenze</translation>
+    </message>
+    <message>
+        <source>a place of the mainland</source>
+        <translation>eine Stelle der Innenfläche</translation>
+    </message>
+    <message>
+        <source>give one beside it, in WGS84, longitude first</source>
+        <translation>eine daneben angeben, in WGS84, Längengrad zuerst</translation>
+    </message>
+    <message>
+        <source>plan parts of the field by themselves, choose another heading, or take small obstacles out of the boundary</source>
+        <translation>Teile des Schlags für sich planen, eine andere Richtung wählen oder kleine Hindernisse aus der Grenze nehmen</translation>
+    </message>
+    <message>
+        <source>the area of the field</source>
+        <translation>die Fläche des Schlags</translation>
+    </message>
+    <message>
+        <source>the bearing of a guidance line</source>
+        <translation>die Richtung einer Leitlinie</translation>
+    </message>
+    <message>
+        <source>the buffer of an obstacle</source>
+        <translation>der Abstand um ein Hindernis</translation>
+    </message>
+    <message>
+        <source>the coverage of the swaths</source>
+        <translation>der Anteil, den die Spuren bearbeiten</translation>
+    </message>
+    <message>
+        <source>the curvature</source>
+        <translation>die Krümmung</translation>
+    </message>
+    <message>
+        <source>the curve is %1 km away from the field</source>
+        <translation>die Kurve ist %1 km vom Schlag entfernt</translation>
+    </message>
+    <message>
+        <source>the heading</source>
+        <translation>die Richtung</translation>
+    </message>
+    <message>
+        <source>the outline cuts the tracks into %1 swaths, and no plan may have more than %2</source>
+        <translation>die Grenze zerschneidet die Spuren in %1 Teile, und kein Plan darf mehr als %2 Spuren haben</translation>
+    </message>
+    <message>
+        <source>the overhang of an obstacle</source>
+        <translation>der Überhang eines Hindernisses</translation>
+    </message>
+    <message>
+        <source>the overlap of the swaths</source>
+        <translation>die Überlappung der Spuren</translation>
+    </message>
+    <message>
+        <source>the place of a finding</source>
+        <translation>die Stelle eines Hinweises</translation>
+    </message>
+    <message>
+        <source>the place of a gate</source>
+        <translation>die Stelle einer Zufahrt</translation>
+    </message>
+    <message>
+        <source>the radius of a guidance line</source>
+        <translation>der Radius einer Leitlinie</translation>
+    </message>
+    <message>
+        <source>the share of the mainland</source>
+        <translation>der Anteil der Innenfläche</translation>
+    </message>
+    <message>
+        <source>the speed</source>
+        <translation>die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the time</source>
+        <translation>die Zeit</translation>
+    </message>
+    <message>
+        <source>the way driven</source>
+        <translation>der gefahrene Weg</translation>
+    </message>
+    <message>
+        <source>the width of a gate</source>
+        <translation>die Breite einer Zufahrt</translation>
+    </message>
+    <message>
+        <source>the width of a guidance line</source>
+        <translation>die Breite einer Leitlinie</translation>
+    </message>
+    <message>
+        <source>the width of the headland</source>
+        <translation>die Breite des Vorgewendes</translation>
+    </message>
+    <message>
+        <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
+        <translation>das ist ein Fehler von Furrow; bitte mit Schlag, Maschine und Einstellungen melden</translation>
     </message>
 </context>
 <context>

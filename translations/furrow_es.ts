@@ -2292,10 +2292,6 @@
         <translation>%1, fila %2</translation>
     </message>
     <message>
-        <source>%1: its machine cannot be used: %2</source>
-        <translation>%1: su máquina no se puede usar: %2</translation>
-    </message>
-    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: el ajuste %2 no se usa: %3</translation>
     </message>
@@ -6400,6 +6396,134 @@
     <message>
         <source>with this wheelbase, %1 give a turning radius of %2</source>
         <translation>con esta distancia entre ejes, %1 dan un radio de giro de %2</translation>
+    </message>
+    <message>
+        <source>%1 is no number (%2), and nothing is written</source>
+        <translation>%1 no es un número (%2), y no se escribe nada</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3); the plan is made with %4 until then</source>
+        <translation>%1: %2 (%3); hasta entonces se planifica con %4</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>un lugar</translation>
+    </message>
+    <message>
+        <source>a place of a guidance line</source>
+        <translation>un lugar de una línea guía</translation>
+    </message>
+    <message>
+        <source>a place of an obstacle</source>
+        <translation>un lugar de un obstáculo</translation>
+    </message>
+    <message>
+        <source>a place of swath %1</source>
+        <translation>un lugar de la pasada %1</translation>
+    </message>
+    <message>
+        <source>a place of the boundary</source>
+        <translation>un lugar del límite</translation>
+    </message>
+    <message>
+        <source>a place of the mainland</source>
+        <translation>un lugar del interior</translation>
+    </message>
+    <message>
+        <source>give one beside it, in WGS84, longitude first</source>
+        <translation>indique una junto a ella, en WGS84, primero la longitud</translation>
+    </message>
+    <message>
+        <source>plan parts of the field by themselves, choose another heading, or take small obstacles out of the boundary</source>
+        <translation>planifique partes de la parcela por separado, elija otro rumbo o quite obstáculos pequeños del límite</translation>
+    </message>
+    <message>
+        <source>the area of the field</source>
+        <translation>la superficie de la parcela</translation>
+    </message>
+    <message>
+        <source>the bearing of a guidance line</source>
+        <translation>el rumbo de una línea guía</translation>
+    </message>
+    <message>
+        <source>the buffer of an obstacle</source>
+        <translation>el margen de un obstáculo</translation>
+    </message>
+    <message>
+        <source>the coverage of the swaths</source>
+        <translation>la parte que trabajan las pasadas</translation>
+    </message>
+    <message>
+        <source>the curvature</source>
+        <translation>la curvatura</translation>
+    </message>
+    <message>
+        <source>the curve is %1 km away from the field</source>
+        <translation>la curva está a %1 km de la parcela</translation>
+    </message>
+    <message>
+        <source>the heading</source>
+        <translation>el rumbo</translation>
+    </message>
+    <message>
+        <source>the outline cuts the tracks into %1 swaths, and no plan may have more than %2</source>
+        <translation>el contorno corta las pistas en %1 pasadas, y ningún plan puede tener más de %2</translation>
+    </message>
+    <message>
+        <source>the overhang of an obstacle</source>
+        <translation>el voladizo de un obstáculo</translation>
+    </message>
+    <message>
+        <source>the overlap of the swaths</source>
+        <translation>el solape de las pasadas</translation>
+    </message>
+    <message>
+        <source>the place of a finding</source>
+        <translation>el lugar de un aviso</translation>
+    </message>
+    <message>
+        <source>the place of a gate</source>
+        <translation>el lugar de una entrada</translation>
+    </message>
+    <message>
+        <source>the radius of a guidance line</source>
+        <translation>el radio de una línea guía</translation>
+    </message>
+    <message>
+        <source>the share of the mainland</source>
+        <translation>la parte del interior</translation>
+    </message>
+    <message>
+        <source>the speed</source>
+        <translation>la velocidad</translation>
+    </message>
+    <message>
+        <source>the time</source>
+        <translation>el tiempo</translation>
+    </message>
+    <message>
+        <source>the way driven</source>
+        <translation>el recorrido</translation>
+    </message>
+    <message>
+        <source>the width of a gate</source>
+        <translation>el ancho de una entrada</translation>
+    </message>
+    <message>
+        <source>the width of a guidance line</source>
+        <translation>el ancho de una línea guía</translation>
+    </message>
+    <message>
+        <source>the width of the headland</source>
+        <translation>el ancho de la cabecera</translation>
+    </message>
+    <message>
+        <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
+        <translation>es un error de Furrow; comuníquelo con la parcela, la máquina y los ajustes</translation>
     </message>
 </context>
 <context>

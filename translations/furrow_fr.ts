@@ -2292,10 +2292,6 @@
         <translation>%1, ligne %2</translation>
     </message>
     <message>
-        <source>%1: its machine cannot be used: %2</source>
-        <translation>%1 : sa machine ne peut être utilisée : %2</translation>
-    </message>
-    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1 : le réglage %2 n&apos;est pas utilisé : %3</translation>
     </message>
@@ -6400,6 +6396,134 @@
     <message>
         <source>with this wheelbase, %1 give a turning radius of %2</source>
         <translation>avec cet empattement, %1 donnent un rayon de braquage de %2</translation>
+    </message>
+    <message>
+        <source>%1 is no number (%2), and nothing is written</source>
+        <translation>%1 n&apos;est pas un nombre (%2), et rien n&apos;est écrit</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3); the plan is made with %4 until then</source>
+        <translation>%1 : %2 (%3) ; d&apos;ici là, le plan est fait avec %4</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>un point</translation>
+    </message>
+    <message>
+        <source>a place of a guidance line</source>
+        <translation>un point d&apos;une ligne de guidage</translation>
+    </message>
+    <message>
+        <source>a place of an obstacle</source>
+        <translation>un point d&apos;un obstacle</translation>
+    </message>
+    <message>
+        <source>a place of swath %1</source>
+        <translation>un point du passage %1</translation>
+    </message>
+    <message>
+        <source>a place of the boundary</source>
+        <translation>un point du contour</translation>
+    </message>
+    <message>
+        <source>a place of the mainland</source>
+        <translation>un point de l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>give one beside it, in WGS84, longitude first</source>
+        <translation>indiquez-en une à côté, en WGS84, longitude d&apos;abord</translation>
+    </message>
+    <message>
+        <source>plan parts of the field by themselves, choose another heading, or take small obstacles out of the boundary</source>
+        <translation>planifiez des parties de la parcelle séparément, choisissez une autre direction ou retirez les petits obstacles du contour</translation>
+    </message>
+    <message>
+        <source>the area of the field</source>
+        <translation>la surface de la parcelle</translation>
+    </message>
+    <message>
+        <source>the bearing of a guidance line</source>
+        <translation>le cap d&apos;une ligne de guidage</translation>
+    </message>
+    <message>
+        <source>the buffer of an obstacle</source>
+        <translation>la marge autour d&apos;un obstacle</translation>
+    </message>
+    <message>
+        <source>the coverage of the swaths</source>
+        <translation>la part que travaillent les passages</translation>
+    </message>
+    <message>
+        <source>the curvature</source>
+        <translation>la courbure</translation>
+    </message>
+    <message>
+        <source>the curve is %1 km away from the field</source>
+        <translation>la courbe est à %1 km de la parcelle</translation>
+    </message>
+    <message>
+        <source>the heading</source>
+        <translation>la direction</translation>
+    </message>
+    <message>
+        <source>the outline cuts the tracks into %1 swaths, and no plan may have more than %2</source>
+        <translation>le contour coupe les voies en %1 passages, et aucun plan ne peut en avoir plus de %2</translation>
+    </message>
+    <message>
+        <source>the overhang of an obstacle</source>
+        <translation>le porte-à-faux au-dessus d&apos;un obstacle</translation>
+    </message>
+    <message>
+        <source>the overlap of the swaths</source>
+        <translation>le recouvrement des passages</translation>
+    </message>
+    <message>
+        <source>the place of a finding</source>
+        <translation>le point d&apos;une remarque</translation>
+    </message>
+    <message>
+        <source>the place of a gate</source>
+        <translation>le point d&apos;une entrée</translation>
+    </message>
+    <message>
+        <source>the radius of a guidance line</source>
+        <translation>le rayon d&apos;une ligne de guidage</translation>
+    </message>
+    <message>
+        <source>the share of the mainland</source>
+        <translation>la part de l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>the speed</source>
+        <translation>la vitesse</translation>
+    </message>
+    <message>
+        <source>the time</source>
+        <translation>le temps</translation>
+    </message>
+    <message>
+        <source>the way driven</source>
+        <translation>le chemin parcouru</translation>
+    </message>
+    <message>
+        <source>the width of a gate</source>
+        <translation>la largeur d&apos;une entrée</translation>
+    </message>
+    <message>
+        <source>the width of a guidance line</source>
+        <translation>la largeur d&apos;une ligne de guidage</translation>
+    </message>
+    <message>
+        <source>the width of the headland</source>
+        <translation>la largeur de la fourrière</translation>
+    </message>
+    <message>
+        <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
+        <translation>c&apos;est une erreur de Furrow ; signalez-la avec la parcelle, la machine et les réglages</translation>
     </message>
 </context>
 <context>

@@ -2292,10 +2292,6 @@
         <translation>%1, rij %2</translation>
     </message>
     <message>
-        <source>%1: its machine cannot be used: %2</source>
-        <translation>%1: de machine kan niet gebruikt worden: %2</translation>
-    </message>
-    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: de instelling %2 wordt niet gebruikt: %3</translation>
     </message>
@@ -6400,6 +6396,134 @@
     <message>
         <source>with this wheelbase, %1 give a turning radius of %2</source>
         <translation>bij deze wielbasis geeft %1 een draaistraal van %2</translation>
+    </message>
+    <message>
+        <source>%1 is no number (%2), and nothing is written</source>
+        <translation>%1 is geen getal (%2), en er wordt niets geschreven</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3); the plan is made with %4 until then</source>
+        <translation>%1: %2 (%3); tot dan wordt met %4 gepland</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>een plaats</translation>
+    </message>
+    <message>
+        <source>a place of a guidance line</source>
+        <translation>een plaats van een geleidingslijn</translation>
+    </message>
+    <message>
+        <source>a place of an obstacle</source>
+        <translation>een plaats van een obstakel</translation>
+    </message>
+    <message>
+        <source>a place of swath %1</source>
+        <translation>een plaats van werkgang %1</translation>
+    </message>
+    <message>
+        <source>a place of the boundary</source>
+        <translation>een plaats van de perceelsgrens</translation>
+    </message>
+    <message>
+        <source>a place of the mainland</source>
+        <translation>een plaats van het binnenland</translation>
+    </message>
+    <message>
+        <source>give one beside it, in WGS84, longitude first</source>
+        <translation>geef er een ernaast, in WGS84, lengte eerst</translation>
+    </message>
+    <message>
+        <source>plan parts of the field by themselves, choose another heading, or take small obstacles out of the boundary</source>
+        <translation>plan delen van het perceel apart, kies een andere richting of haal kleine obstakels uit de grens</translation>
+    </message>
+    <message>
+        <source>the area of the field</source>
+        <translation>de oppervlakte van het perceel</translation>
+    </message>
+    <message>
+        <source>the bearing of a guidance line</source>
+        <translation>de richting van een geleidingslijn</translation>
+    </message>
+    <message>
+        <source>the buffer of an obstacle</source>
+        <translation>de afstand rond een obstakel</translation>
+    </message>
+    <message>
+        <source>the coverage of the swaths</source>
+        <translation>het deel dat de werkgangen bewerken</translation>
+    </message>
+    <message>
+        <source>the curvature</source>
+        <translation>de kromming</translation>
+    </message>
+    <message>
+        <source>the curve is %1 km away from the field</source>
+        <translation>de curve ligt %1 km van het perceel</translation>
+    </message>
+    <message>
+        <source>the heading</source>
+        <translation>de richting</translation>
+    </message>
+    <message>
+        <source>the outline cuts the tracks into %1 swaths, and no plan may have more than %2</source>
+        <translation>de omtrek snijdt de sporen in %1 werkgangen, en geen plan mag er meer dan %2 hebben</translation>
+    </message>
+    <message>
+        <source>the overhang of an obstacle</source>
+        <translation>de overhang van een obstakel</translation>
+    </message>
+    <message>
+        <source>the overlap of the swaths</source>
+        <translation>de overlap van de werkgangen</translation>
+    </message>
+    <message>
+        <source>the place of a finding</source>
+        <translation>de plaats van een melding</translation>
+    </message>
+    <message>
+        <source>the place of a gate</source>
+        <translation>de plaats van een toegang</translation>
+    </message>
+    <message>
+        <source>the radius of a guidance line</source>
+        <translation>de straal van een geleidingslijn</translation>
+    </message>
+    <message>
+        <source>the share of the mainland</source>
+        <translation>het aandeel van het binnenland</translation>
+    </message>
+    <message>
+        <source>the speed</source>
+        <translation>de snelheid</translation>
+    </message>
+    <message>
+        <source>the time</source>
+        <translation>de tijd</translation>
+    </message>
+    <message>
+        <source>the way driven</source>
+        <translation>de gereden afstand</translation>
+    </message>
+    <message>
+        <source>the width of a gate</source>
+        <translation>de breedte van een toegang</translation>
+    </message>
+    <message>
+        <source>the width of a guidance line</source>
+        <translation>de breedte van een geleidingslijn</translation>
+    </message>
+    <message>
+        <source>the width of the headland</source>
+        <translation>de breedte van de kopakker</translation>
+    </message>
+    <message>
+        <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
+        <translation>dit is een fout van Furrow, meld hem met het perceel, de machine en de instellingen</translation>
     </message>
 </context>
 <context>

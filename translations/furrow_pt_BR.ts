@@ -2292,10 +2292,6 @@
         <translation>%1, linha %2</translation>
     </message>
     <message>
-        <source>%1: its machine cannot be used: %2</source>
-        <translation>%1: a máquina não pode ser usada: %2</translation>
-    </message>
-    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: a configuração %2 não é usada: %3</translation>
     </message>
@@ -6400,6 +6396,134 @@
     <message>
         <source>with this wheelbase, %1 give a turning radius of %2</source>
         <translation>com esta distância entre eixos, %1 dão um raio de giro de %2</translation>
+    </message>
+    <message>
+        <source>%1 is no number (%2), and nothing is written</source>
+        <translation>%1 não é um número (%2), e nada é gravado</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3); the plan is made with %4 until then</source>
+        <translation>%1: %2 (%3); até lá o plano é feito com %4</translation>
+    </message>
+    <message>
+        <source>a place</source>
+        <translation>um lugar</translation>
+    </message>
+    <message>
+        <source>a place of a guidance line</source>
+        <translation>um lugar de uma linha-guia</translation>
+    </message>
+    <message>
+        <source>a place of an obstacle</source>
+        <translation>um lugar de um obstáculo</translation>
+    </message>
+    <message>
+        <source>a place of swath %1</source>
+        <translation>um lugar da passada %1</translation>
+    </message>
+    <message>
+        <source>a place of the boundary</source>
+        <translation>um lugar do limite</translation>
+    </message>
+    <message>
+        <source>a place of the mainland</source>
+        <translation>um lugar do interior</translation>
+    </message>
+    <message>
+        <source>give one beside it, in WGS84, longitude first</source>
+        <translation>informe uma ao lado dele, em WGS84, longitude primeiro</translation>
+    </message>
+    <message>
+        <source>plan parts of the field by themselves, choose another heading, or take small obstacles out of the boundary</source>
+        <translation>planeje partes do talhão separadamente, escolha outra direção ou tire obstáculos pequenos do limite</translation>
+    </message>
+    <message>
+        <source>the area of the field</source>
+        <translation>a área do talhão</translation>
+    </message>
+    <message>
+        <source>the bearing of a guidance line</source>
+        <translation>o rumo de uma linha-guia</translation>
+    </message>
+    <message>
+        <source>the buffer of an obstacle</source>
+        <translation>a margem de um obstáculo</translation>
+    </message>
+    <message>
+        <source>the coverage of the swaths</source>
+        <translation>a parte que as passadas trabalham</translation>
+    </message>
+    <message>
+        <source>the curvature</source>
+        <translation>a curvatura</translation>
+    </message>
+    <message>
+        <source>the curve is %1 km away from the field</source>
+        <translation>a curva está a %1 km do talhão</translation>
+    </message>
+    <message>
+        <source>the heading</source>
+        <translation>a direção</translation>
+    </message>
+    <message>
+        <source>the outline cuts the tracks into %1 swaths, and no plan may have more than %2</source>
+        <translation>o contorno corta as faixas em %1 passadas, e nenhum plano pode ter mais de %2</translation>
+    </message>
+    <message>
+        <source>the overhang of an obstacle</source>
+        <translation>o balanço de um obstáculo</translation>
+    </message>
+    <message>
+        <source>the overlap of the swaths</source>
+        <translation>a sobreposição das passadas</translation>
+    </message>
+    <message>
+        <source>the place of a finding</source>
+        <translation>o lugar de um aviso</translation>
+    </message>
+    <message>
+        <source>the place of a gate</source>
+        <translation>o lugar de uma entrada</translation>
+    </message>
+    <message>
+        <source>the radius of a guidance line</source>
+        <translation>o raio de uma linha-guia</translation>
+    </message>
+    <message>
+        <source>the share of the mainland</source>
+        <translation>a parte do interior</translation>
+    </message>
+    <message>
+        <source>the speed</source>
+        <translation>a velocidade</translation>
+    </message>
+    <message>
+        <source>the time</source>
+        <translation>o tempo</translation>
+    </message>
+    <message>
+        <source>the way driven</source>
+        <translation>o percurso</translation>
+    </message>
+    <message>
+        <source>the width of a gate</source>
+        <translation>a largura de uma entrada</translation>
+    </message>
+    <message>
+        <source>the width of a guidance line</source>
+        <translation>a largura de uma linha-guia</translation>
+    </message>
+    <message>
+        <source>the width of the headland</source>
+        <translation>a largura da cabeceira</translation>
+    </message>
+    <message>
+        <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
+        <translation>é um erro do Furrow; comunique-o com o talhão, a máquina e as configurações</translation>
     </message>
 </context>
 <context>
