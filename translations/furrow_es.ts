@@ -6415,7 +6415,7 @@
     </message>
     <message>
         <source>a place of a guidance line</source>
-        <translation>un lugar de una línea guía</translation>
+        <translation>un lugar de una línea de guiado</translation>
     </message>
     <message>
         <source>a place of an obstacle</source>
@@ -6447,7 +6447,7 @@
     </message>
     <message>
         <source>the bearing of a guidance line</source>
-        <translation>el rumbo de una línea guía</translation>
+        <translation>el rumbo de una línea de guiado</translation>
     </message>
     <message>
         <source>the buffer of an obstacle</source>
@@ -6491,7 +6491,7 @@
     </message>
     <message>
         <source>the radius of a guidance line</source>
-        <translation>el radio de una línea guía</translation>
+        <translation>el radio de una línea de guiado</translation>
     </message>
     <message>
         <source>the share of the mainland</source>
@@ -6515,7 +6515,7 @@
     </message>
     <message>
         <source>the width of a guidance line</source>
-        <translation>el ancho de una línea guía</translation>
+        <translation>el ancho de una línea de guiado</translation>
     </message>
     <message>
         <source>the width of the headland</source>

@@ -6415,7 +6415,7 @@
     </message>
     <message>
         <source>a place of a guidance line</source>
-        <translation>een plaats van een geleidingslijn</translation>
+        <translation>een plaats van een stuurlijn</translation>
     </message>
     <message>
         <source>a place of an obstacle</source>
@@ -6447,7 +6447,7 @@
     </message>
     <message>
         <source>the bearing of a guidance line</source>
-        <translation>de richting van een geleidingslijn</translation>
+        <translation>de richting van een stuurlijn</translation>
     </message>
     <message>
         <source>the buffer of an obstacle</source>
@@ -6491,7 +6491,7 @@
     </message>
     <message>
         <source>the radius of a guidance line</source>
-        <translation>de straal van een geleidingslijn</translation>
+        <translation>de straal van een stuurlijn</translation>
     </message>
     <message>
         <source>the share of the mainland</source>
@@ -6515,7 +6515,7 @@
     </message>
     <message>
         <source>the width of a guidance line</source>
-        <translation>de breedte van een geleidingslijn</translation>
+        <translation>de breedte van een stuurlijn</translation>
     </message>
     <message>
         <source>the width of the headland</source>

@@ -6415,7 +6415,7 @@
     </message>
     <message>
         <source>a place of a guidance line</source>
-        <translation>um lugar de uma linha-guia</translation>
+        <translation>um lugar de uma linha de orientação</translation>
     </message>
     <message>
         <source>a place of an obstacle</source>
@@ -6447,7 +6447,7 @@
     </message>
     <message>
         <source>the bearing of a guidance line</source>
-        <translation>o rumo de uma linha-guia</translation>
+        <translation>o rumo de uma linha de orientação</translation>
     </message>
     <message>
         <source>the buffer of an obstacle</source>
@@ -6491,7 +6491,7 @@
     </message>
     <message>
         <source>the radius of a guidance line</source>
-        <translation>o raio de uma linha-guia</translation>
+        <translation>o raio de uma linha de orientação</translation>
     </message>
     <message>
         <source>the share of the mainland</source>
@@ -6515,7 +6515,7 @@
     </message>
     <message>
         <source>the width of a guidance line</source>
-        <translation>a largura de uma linha-guia</translation>
+        <translation>a largura de uma linha de orientação</translation>
     </message>
     <message>
         <source>the width of the headland</source>
