@@ -6483,11 +6483,11 @@
     </message>
     <message>
         <source>the place of a finding</source>
-        <translation>de plaats van een melding</translation>
+        <translation>de plaats van een bevinding</translation>
     </message>
     <message>
         <source>the place of a gate</source>
-        <translation>de plaats van een toegang</translation>
+        <translation>de plaats van een inrit</translation>
     </message>
     <message>
         <source>the radius of a guidance line</source>
@@ -6511,7 +6511,7 @@
     </message>
     <message>
         <source>the width of a gate</source>
-        <translation>de breedte van een toegang</translation>
+        <translation>de breedte van een inrit</translation>
     </message>
     <message>
         <source>the width of a guidance line</source>
