@@ -6,7 +6,7 @@ import Furrow.Controls
 ThemedDialog {
     id: root
 
-    required property list<Command> commands
+    required property AppCommands commands
     readonly property int columns: width < 800 ? 1 : 2
     readonly property list<var> onMap: [
         [qsTr("Drag the map, wheel"), qsTr("move, zoom")],
@@ -34,7 +34,7 @@ ThemedDialog {
             property string what
 
             width: (root.width - 48 - 24 * (root.columns - 1)) / root.columns
-            height: 20
+            height: Math.max(20, whatText.implicitHeight)
             Accessible.role: Accessible.StaticText
             Accessible.name: qsTr("%1: %2").arg(keys).arg(what)
 
@@ -45,16 +45,18 @@ ThemedDialog {
                 elide: Text.ElideRight
             }
             BodyText {
+                id: whatText
+
                 x: 176
                 width: parent.width - 176
                 text: parent.what
-                elide: Text.ElideRight
+                wrapMode: Text.WordWrap
             }
         }
         Repeater {
             id: keyed
 
-            model: root.commands.filter(command => command.keysText.length > 0)
+            model: root.commands.all.filter(command => command.keysText.length > 0)
 
             Line {
                 required property Command modelData

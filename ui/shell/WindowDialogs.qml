@@ -22,7 +22,7 @@ Item {
         id: keysDialog
 
         anchors.centerIn: Overlay.overlay
-        commands: root.commands.all
+        commands: root.commands
     }
     TroubleDialog {
         id: troubleDialog

@@ -200,6 +200,8 @@ private slots:
         key(Qt::Key_F1, Qt::ControlModifier);
         QTRY_VERIFY(isShown(QStringLiteral("keysDialog.close")));
         check(QStringLiteral("keys"));
+        // Of commands, not of the map only.
+        QVERIFY(texts().contains(QStringLiteral("F5")));
         click(QStringLiteral("keysDialog.close"));
         QTRY_VERIFY(item(QStringLiteral("keysDialog.close")) == nullptr ||
                     !item(QStringLiteral("keysDialog.close"))->isVisible());
