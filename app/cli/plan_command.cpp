@@ -11,6 +11,8 @@
 #include "planner/plan/best_plan.h"
 #include "planner/plan/draft.h"
 #include "planner/plan/explanation.h"
+#include "planner/plan/plan_course.h"
+#include "planner/plan/stopwatch.h"
 #include "planner/project/field_tasks.h"
 #include "planner/units/angle.h"
 
@@ -137,6 +139,12 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
         counted(plan.path.turnCount(), "turn", "turns"),
         plan.path.length() > metres(0.0) ? 100.0 * (turns / plan.path.length()) : 0.0,
         hoursMinutes(plan.path.duration()));
+    if (const int refills = plan.path.refillCount(); refills > 0) {
+        say("Refills   {} · {} to the refill points and back",
+            plan.refill->work.gathers ? counted(refills, "unloading", "unloadings")
+                                      : counted(refills, "refill", "refills"),
+            kilometres(plan.path.length(SegmentKind::Refill)));
+    }
     say("Covered   {:.2f} % of the field · {:.0f} m² missed · {:.0f} m² worked twice",
         100.0 * plan.audit.coveredShare.value_or(0.0), plan.audit.missed.value_or(Area{}).si(),
         plan.audit.overlap.value_or(Area{}).si());
@@ -170,17 +178,31 @@ void printPlan(const Plan& plan, const WrittenFiles& written, const Terminal* te
     }
 }
 
-/// A draft is there at once, also where the plan takes long. A draft that cannot be made is not worth a word:
-/// the plan tells the reason.
-void printFirstPlan(const PlanRequest& request, const JobContext& job) {
-    const auto draft = makePlan(draftOf(request, nullptr), {.stop = job.stop, .progress = {}, .threads = 1});
-    if (!draft) {
-        return;
-    }
-    const Plan& plan = **draft;
-    say(stderr, "first plan after {:.0f} ms, a draft: {} · {} · {}", 1e3 * plan.timings.total.si(),
+/// One line for a plan that is there before the finished one.
+void tellFirst(std::string_view what, Duration after, const Plan& plan) {
+    say(stderr, "{} after {:.0f} ms{}: {} · {} · {}", what, 1e3 * after.si(),
+        plan.request.draft ? ", a draft" : "",
         counted(static_cast<long long>(plan.swaths.swaths.size()), "swath", "swaths"),
         kilometres(plan.path.length()), hoursMinutes(plan.path.duration()));
+}
+
+/// A draft is there at once, also where the plan takes long. A draft that cannot be made is not worth a word:
+/// the plan tells the reason.
+void printDraft(const PlanRequest& request, const Stopwatch& watch, const JobContext& job) {
+    const auto draft = makePlan(draftOf(request, nullptr), {.stop = job.stop, .progress = {}, .threads = 1});
+    if (draft) {
+        tellFirst("first plan", Stopwatch{watch}.lap(), **draft);
+    }
+}
+
+/// Lines for other programs: the plan as asked, and how many are compared with it.
+PlanCourse courseInLines(const Stopwatch& watch) {
+    return {.firstPlan =
+                [&watch](const std::shared_ptr<const Plan>& plan) {
+                    tellFirst("plan as asked", Stopwatch{watch}.lap(), *plan);
+                },
+            .compared = [](std::size_t done,
+                           std::size_t known) { say(stderr, "compared {} of {}", done, known); }};
 }
 
 /// What is given stays, here or by the plan of a project.
@@ -197,6 +219,7 @@ std::vector<std::string_view> givenChoices(const Settings& settings) {
 int runPlan(const PlanArguments& arguments) {
     const PlanningArguments& planning = arguments.planning;
     const InterruptWatch watch;
+    const Stopwatch since;
     const bool noBar = planning.quiet || planning.json || arguments.progress;
     const JobContext job =
         arguments.progress ? linesJob(watch, planning.threads) : terminalJob(watch, planning.threads, noBar);
@@ -228,14 +251,16 @@ int runPlan(const PlanArguments& arguments) {
         planRequest(std::make_shared<const Field>(std::move(*field)), task->machine, task->settings,
                     job.part(0.1, 0.1))
             .and_then([&](const PlanRequest& request) {
+                PlanCourse course;
                 if (arguments.progress) {
-                    printFirstPlan(request, job);
+                    printDraft(request, since, job);
+                    course = courseInLines(since);
                 }
                 return arguments.best
                            ? bestPlan(
                                  {.request = request, .kept = givenChoices(task->settings), .onBetter = {}},
                                  job.part(0.1, 0.8))
-                           : makePlan(request, job.part(0.1, 0.8));
+                           : makePlan(request, job.part(0.1, 0.8), nullptr, course);
             })
             .and_then([&job](const auto& made) { return withAdvice(made, job.part(0.8, 0.95)); });
     if (!plan) {
@@ -289,8 +314,9 @@ void addPlanCommand(CLI::App& app, std::function<int()>& run) {
     plan->add_flag("--explain", arguments->explain,
                    "Tell why each step came out as it did, with what other headings and orders would take")
         ->excludes("--json");
-    plan->add_flag("--progress", arguments->progress,
-                   "Tell on standard error how far planning is, line by line, and a draft at once");
+    plan->add_flag(
+        "--progress", arguments->progress,
+        "Tell on standard error how far planning is, line by line, and what is there before the finished plan");
     addExportOptions(*plan, arguments->options, true);
     plan->footer(
         "Of a project (Farm.furrow) the field has its edge headlands, and the machine and settings of its plan;\n"

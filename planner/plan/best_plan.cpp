@@ -4,6 +4,7 @@
 #include "planner/field/small_obstacles.h"
 #include "planner/headland/methods.h"
 #include "planner/jobs/parallel.h"
+#include "planner/jobs/shared_progress.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan_chooser.h"
 #include "planner/plan/round_stage.h"
@@ -255,7 +256,7 @@ public:
     ChoiceTable table(const Settings& found) &&;
 
 private:
-    Result<bool> change(BestSoFar& best, const ChoiceRule& rule);
+    Result<bool> change(BestSoFar& best, const ChoiceRule& rule, const JobContext& job);
     bool mayChange(const Changes& changes) const;
     void tell(const BestSoFar& best) const {
         if (task_.onBetter) {
@@ -282,9 +283,10 @@ bool ChoiceSearch::mayChange(const Changes& changes) const {
 }
 
 /// Takes the best alternative, if one is worth it.
-Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule) {
+Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule, const JobContext& job) {
     std::vector<Alternative> alternatives = rule.alternatives(best);
     std::erase_if(alternatives, [&](const Alternative& each) { return !mayChange(each.changes); });
+    SharedProgress progress{alternatives.size(), job};
     auto made = parallelMap<Result<std::optional<BestSoFar>>>(
         alternatives.size(),
         [&](std::size_t i) -> Result<std::optional<BestSoFar>> {
@@ -294,9 +296,9 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule) {
             }
             PlanRequest asked = best.asked;
             asked.settings = *std::move(settings);
-            return chooser_.changed(best, asked);
+            return chooser_.changed(best, asked, progress.piece(i));
         },
-        job_.withoutProgress());
+        job.withoutProgress());
     if (!made) {
         return std::unexpected(made.error());
     }
@@ -343,7 +345,7 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule) {
 }
 
 Result<BestSoFar> ChoiceSearch::run() {
-    auto best = chooser_.improved(task_.request, job_.part(0.0, 0.1).progress);
+    auto best = chooser_.improved(task_.request, job_.part(0.0, 0.1));
     if (!best) {
         return best;
     }
@@ -359,13 +361,16 @@ Result<BestSoFar> ChoiceSearch::run() {
     const std::size_t most = kMostRounds * free_.size();
     std::size_t unchanged = 0;
     for (std::size_t i = 0; i < most && unchanged < free_.size(); ++i) {
-        const auto isChanged = change(*best, *free_[i % free_.size()]);
+        const auto share = [&](std::size_t done) {
+            const double rounds = static_cast<double>(done) / static_cast<double>(free_.size());
+            return 0.1 + 0.8 * std::min(1.0, rounds / kUsualRounds);
+        };
+        const auto isChanged = change(*best, *free_[i % free_.size()], job_.part(share(i), share(i + 1)));
         if (!isChanged) {
             return std::unexpected(isChanged.error());
         }
         unchanged = *isChanged ? 0 : unchanged + 1;
-        const double share = static_cast<double>(i + 1) / (kUsualRounds * static_cast<double>(free_.size()));
-        job_.report(0.1 + 0.8 * std::min(1.0, share));
+        job_.report(share(i + 1));
     }
     table_.best = timeOf(best->plan);
     return best;
@@ -426,7 +431,7 @@ Result<std::shared_ptr<const Plan>> bestPlan(const BestPlanTask& task, const Job
     StageCache ownCache;
     StageCache& stageCache = cache != nullptr ? *cache : ownCache;
     StageRunner runner{stageCache};
-    PlanChooser chooser{runner, job};
+    PlanChooser chooser{runner};
     ChoiceSearch search{chooser, task, job};
     const auto best = search.run();
     if (!best) {

@@ -1,9 +1,11 @@
 #include "planner/plan/plan.h"
 
+#include "planner/jobs/shared_progress.h"
 #include "planner/path/blocking.h"
 #include "planner/plan/audit_input.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
+#include "planner/plan/plan_course.h"
 #include "planner/plan/quicker_choice.h"
 #include "planner/plan/reasons.h"
 #include "planner/plan/stopwatch.h"
@@ -13,6 +15,9 @@
 namespace furrow {
 
 namespace {
+
+// Of the progress: the rest is the proof.
+constexpr double kChosen = 0.95;
 
 /// The notes of all stages, as findings behind what was found.
 void addNotes(Plan& plan) {
@@ -43,8 +48,7 @@ void addNotes(Plan& plan) {
 }
 
 /// The plan of all stages, put together.
-std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& choice) {
-    const PlannedStages& stages = choice.stages;
+std::shared_ptr<Plan> planOf(const PlanRequest& request, const PlannedStages& stages) {
     const LaidSwaths& laid = *stages.laidOut.laid;
     auto plan = std::make_shared<Plan>(Plan{.request = request,
                                             .margin = stages.ground->margin,
@@ -56,10 +60,11 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
                                             .route = stages.ordered->route,
                                             .proof = {},
                                             .path = stages.driven->path,
+                                            .refill = stages.driven->refill,
                                             .audit = stages.driven->audit,
                                             .findings = stages.driven->findings,
-                                            .instead = choice.instead,
-                                            .notes = choice.notes,
+                                            .instead = {},
+                                            .notes = {},
                                             .choices = {},
                                             .timings = {}});
     Headland& headland = plan->headland;
@@ -68,8 +73,33 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& c
         headland.mainland = laid.mainland;
         headland.mainlandRatio = area(laid.mainland) / area(request.field->workable());
     }
+    return plan;
+}
+
+std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& choice) {
+    std::shared_ptr<Plan> plan = planOf(request, choice.stages);
+    plan->instead = choice.instead;
+    plan->notes = choice.notes;
     plan->swaths.candidates = choice.headings;
     return plan;
+}
+
+/// The plan as asked, told as soon as it is there.
+ChoosingCourse choosingCourse(const PlanRequest& request, const StageRunner& runner, const Stopwatch& watch,
+                              const PlanCourse& course) {
+    ChoosingCourse told{.asked = {}, .compared = course.compared};
+    if (course.firstPlan) {
+        told.asked = [&](const PlannedStages& stages) {
+            const std::shared_ptr<Plan> plan = planOf(request, stages);
+            addReasons(*plan);
+            addNotes(*plan);
+            plan->timings = runner.timings();
+            plan->timings.total = Stopwatch{watch}.lap();
+            plan->request.draft = true;
+            course.firstPlan(plan);
+        };
+    }
+    return told;
 }
 
 }  // namespace
@@ -92,27 +122,41 @@ AuditInput auditInput(const Plan& plan) {
                        .swaths = plan.swaths,
                        .route = plan.route,
                        .path = plan.path,
-                       .leftOnPurpose = plan.leftOnPurpose});
+                       .leftOnPurpose = plan.leftOnPurpose,
+                       .refill = plan.refill ? &*plan.refill : nullptr});
 }
 
 Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job,
                                              StageCache* cache) {
+    return makePlan(request, job, cache, {});
+}
+
+Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const JobContext& job,
+                                             StageCache* cache, const PlanCourse& course) {
     Stopwatch watch;
     StageCache ownCache;
     StageCache& stageCache = cache != nullptr ? *cache : ownCache;
     StageRunner runner{stageCache};
-    const auto choice = quickestChoice(request, runner, job);
+    // What is tried beside may tell of itself what its step has told before.
+    SharedProgress rising{1, job};
+    const JobContext part = rising.piece(0);
+    const bool isCompared = !request.draft;
+    const auto choice =
+        quickestChoice(request, runner, part.part(0.0, isCompared ? kChosen : 1.0),
+                       isCompared ? choosingCourse(request, runner, watch, course) : ChoosingCourse{});
     if (!choice) {
         return std::unexpected(choice.error());
     }
     std::shared_ptr<Plan> plan = planOf(request, *choice);
     const PlannedStages& stages = choice->stages;
-    if (!request.draft && routeMethod(request.settings).traits.isByTime && !plan->route.steps.empty()) {
+    // The bound knows no trips to refill points.
+    const bool isBounded = routeMethod(request.settings).traits.isByTime && plan->path.refillCount() == 0;
+    if (!request.draft && isBounded && !plan->route.steps.empty()) {
         const auto proof = proofStage({.request = stages.request,
                                        .ground = stages.ground,
                                        .laid = *stages.laidOut.laid,
                                        .rooms = stageCache.rooms},
-                                      *stages.ordered, job.withoutProgress());
+                                      *stages.ordered, part.part(kChosen, 1.0));
         if (!proof) {
             return std::unexpected(proof.error());
         }
@@ -122,7 +166,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     addNotes(*plan);
     plan->timings = runner.timings();
     plan->timings.total = watch.lap();
-    job.report(1.0);
+    part.report(1.0);
     return plan;
 }
 

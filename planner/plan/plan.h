@@ -25,6 +25,7 @@ struct Plan {
     /// planner.
     std::optional<RouteProof> proof;
     Path path;
+    std::optional<RefillTrips> refill;  ///< the tank whose level the path states
     AuditReport audit;
     /// Of the planner and the audit; what both found is told once.
     std::vector<Finding> findings;

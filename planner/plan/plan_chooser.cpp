@@ -4,6 +4,7 @@
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
 #include "planner/jobs/parallel.h"
+#include "planner/jobs/shared_progress.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
 #include "planner/route/methods.h"
@@ -32,6 +33,11 @@ constexpr std::size_t kFewSwaths = 40;
 // still become the best with corners and an order of its own. Those of a heading change more.
 constexpr double kNearInOrder = 1.02;
 constexpr double kNearInHeading = 1.06;
+// Share of the progress of a plan in another order, or along another heading, before its own corners and
+// orders.
+constexpr double kItself = 0.6;
+// An order with its corners, beside a kind of corner.
+constexpr double kOrderInCorners = 1.5;
 
 auto problemsOf(const PlannedStages& plan) {
     return problems(plan.driven->findings);
@@ -117,18 +123,34 @@ PlanRequest along(PlanRequest request, Angle heading) {
     return request;
 }
 
+/// So many more plans will be compared.
+void PlanChooser::expect(std::size_t plans) {
+    const std::scoped_lock lock{mutex_};
+    known_ += plans;
+}
+
+void PlanChooser::tellCompared() {
+    const std::scoped_lock lock{mutex_};
+    ++compared_;
+    if (course_.compared) {
+        course_.compared(compared_, std::max(known_, compared_));
+    }
+}
+
 /// The plan with other settings if it is better as driven, or takes less than `near` times as long.
 /// Cancelled.
 /// @param meanwhile  of plans that are made at once, where only the best is wanted
 Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const BestSoFar& best, const PlanRequest& other,
-                                                           double near, QuickestMeanwhile* meanwhile) {
+                                                           double near, QuickestMeanwhile* meanwhile,
+                                                           const JobContext& job) {
     PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
     toBeat.time = near * toBeat.time;
     toBeat.meanwhile = meanwhile;
-    auto plan = runner_.run(other, toBeat, quiet_);
+    auto plan = runner_.run(other, toBeat, job);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
     }
+    tellCompared();
     if (plan && meanwhile != nullptr && plan->drivable()) {
         meanwhile->lower(timeOf(*plan));
     }
@@ -142,8 +164,18 @@ Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const BestSoFar& best
 /// Takes the best of some plans that are made at once, each from what is the best before. The first of
 /// equals.
 template <class Make>
-Result<void> PlanChooser::takeBest(BestSoFar& best, std::size_t count, const Make& make) {
-    auto made = parallelMap<Result<std::optional<BestSoFar>>>(count, make, quiet_);
+Result<void> PlanChooser::takeBest(BestSoFar& best, std::size_t count, const Make& make,
+                                   const JobContext& job) {
+    expect(count);
+    SharedProgress progress{count, job};
+    auto made = parallelMap<Result<std::optional<BestSoFar>>>(
+        count,
+        [&](std::size_t i) {
+            auto one = make(i, progress.piece(i));
+            progress.finish(i);
+            return one;
+        },
+        job.withoutProgress());
     if (!made) {
         return std::unexpected(made.error());
     }
@@ -160,7 +192,7 @@ Result<void> PlanChooser::takeBest(BestSoFar& best, std::size_t count, const Mak
 
 /// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
 /// driven.
-Result<void> PlanChooser::tryCorners(BestSoFar& best) {
+Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     if (best.asked.settings.choice(kHeadlandCorner) != kQuickestCorner ||
         best.plan.laidOut.headland->drivenPasses.empty()) {
         return {};
@@ -172,32 +204,31 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best) {
         return {};
     }
     const bool isFirst = !best.nearCorners;
-    std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
-    std::vector<char> isNear(kinds.size(), 1);
+    const std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
+    std::vector<std::string_view> others = kinds;
+    std::erase(others, taken);
+    std::vector<char> isNear(others.size(), 1);
     QuickestMeanwhile meanwhile;
-    auto tried = takeBest(best, kinds.size(), [&](std::size_t i) -> Result<std::optional<BestSoFar>> {
-        if (kinds[i] == taken) {
-            return std::optional<BestSoFar>{};
-        }
+    const auto withCorner = [&](std::size_t i, const JobContext& piece) -> Result<std::optional<BestSoFar>> {
         PlanRequest request = best.plan.request;
-        request.settings.set(kHeadlandCorner, std::string{kinds[i]}).value();
-        auto plan =
-            isFirst ? nearPlan(best, request, kNearInOrder) : nearPlan(best, request, 1.0, &meanwhile);
+        request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
+        auto plan = isFirst ? nearPlan(best, request, kNearInOrder, nullptr, piece)
+                            : nearPlan(best, request, 1.0, &meanwhile, piece);
         return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
             isNear[i] = made ? 1 : 0;
             return with(best, std::move(made)).transform([&](BestSoFar&& other) {
-                note(other.instead, kHeadlandCorner, kinds[i]);
+                note(other.instead, kHeadlandCorner, others[i]);
                 return std::move(other);
             });
         });
-    });
+    };
+    auto tried = takeBest(best, others.size(), withCorner, job);
     if (isFirst) {
         std::vector<std::string_view> near;
-        for (std::size_t i = 0; i < kinds.size(); ++i) {
-            if (isNear[i] != 0) {
-                near.push_back(kinds[i]);
-            }
-        }
+        std::ranges::copy_if(kinds, std::back_inserter(near), [&](std::string_view kind) {
+            const auto other = std::ranges::find(others, kind);
+            return other == others.end() || isNear[static_cast<std::size_t>(other - others.begin())] != 0;
+        });
         best.nearCorners = std::move(near);
     }
     return tried;
@@ -232,42 +263,52 @@ Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, c
 }
 
 /// Order and corners for the swaths of this plan. An order of one's own stays. Cancelled.
-Result<void> PlanChooser::decideOrderAndCorners(BestSoFar& best) {
-    const auto patterns = patternsToTry(best.plan, quiet_);
+Result<void> PlanChooser::decideOrderAndCorners(BestSoFar& best, const JobContext& job) {
+    const auto patterns = patternsToTry(best.plan, job.withoutProgress());
     if (!patterns) {
         return std::unexpected(patterns.error());
     }
-    return tryCorners(best).and_then([&] {
-        return takeBest(best, patterns->size(), [&](std::size_t i) { return inOrder(best, (*patterns)[i]); });
+    const auto corners = static_cast<double>(cornerKinds(best.asked.machine).size() - 1);
+    const double share = corners / (corners + kOrderInCorners * static_cast<double>(patterns->size()));
+    return tryCorners(best, job.part(0.0, share)).and_then([&] {
+        return takeBest(
+            best, patterns->size(),
+            [&](std::size_t i, const JobContext& piece) { return inOrder(best, (*patterns)[i], piece); },
+            job.part(share, 1.0));
     });
 }
 
 /// The plan in another order with its own best corners, if it is near. Cancelled.
-Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, std::string_view pattern) {
+Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, std::string_view pattern,
+                                                      const JobContext& job) {
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
-    auto plan = nearPlan(best, request, kNearInOrder);
+    auto plan = nearPlan(best, request, kNearInOrder, nullptr, job.part(0.0, kItself));
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
     }
     BestSoFar other = *with(best, *std::move(plan));
     note(other.instead, route, pattern);
-    return tryCorners(other).transform([&] { return std::optional{std::move(other)}; });
+    return tryCorners(other, job.part(kItself, 1.0)).transform([&] {
+        return std::optional{std::move(other)};
+    });
 }
 
-Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked) {
+Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked,
+                                                      const JobContext& job) {
     PlanRequest request = asked;
     const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
     const bool isByTime = asked.settings.choice(kHeadlandCorner) == kQuickestCorner;
     if (isByTime) {
         request.settings.set(kHeadlandCorner, corner).value();
     }
-    auto plan = nearPlan(best, request, kNearInHeading);
+    auto plan = nearPlan(best, request, kNearInHeading, nullptr, job.part(0.0, kItself));
     if (plan && !*plan && isByTime && corner != kRoundedCorner) {
         // Corners that are driven into may block with this change.
         request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
-        plan = nearPlan(best, request, kNearInHeading);
+        expect(1);
+        plan = nearPlan(best, request, kNearInHeading, nullptr, job.withoutProgress());
     }
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
@@ -278,13 +319,16 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     if (other.plan.laidOut.headland->mainland != best.plan.laidOut.headland->mainland) {
         other.nearCorners.reset();
     }
-    return decideOrderAndCorners(other).transform([&] { return std::optional{std::move(other)}; });
+    return decideOrderAndCorners(other, job.part(kItself, 1.0)).transform([&] {
+        return std::optional{std::move(other)};
+    });
 }
 
 /// The plan along another heading with its own best order and corners, if it is near. Cancelled.
 Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best,
-                                                           const HeadingCandidate& candidate) {
-    auto other = changed(best, along(best.asked, candidate.heading));
+                                                           const HeadingCandidate& candidate,
+                                                           const JobContext& job) {
+    auto other = changed(best, along(best.asked, candidate.heading), job);
     if (other && *other) {
         (*other)->asked = best.asked;
         if (isBetter((*other)->plan, best.plan)) {
@@ -295,9 +339,8 @@ Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best
     return other;
 }
 
-Result<BestSoFar> PlanChooser::improved(const PlanRequest& request,
-                                        const std::function<void(double)>& progress) {
-    auto asked = runner_.run(request, {}, {quiet_.stop, progress, quiet_.threads});
+Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobContext& job) {
+    auto asked = runner_.run(request, {}, job.part(0.0, request.draft ? 1.0 : kAskedShare));
     if (!asked) {
         return std::unexpected(asked.error());
     }
@@ -305,16 +348,23 @@ Result<BestSoFar> PlanChooser::improved(const PlanRequest& request,
     if (request.draft) {
         return best;
     }
-    Result<void> tried = decideOrderAndCorners(best);
-    const bool hasOneHeading = !hasHeadingPerCell(request.settings);
-    if (!hasOwnOrder(request.settings) && hasOneHeading) {
-        const std::vector<HeadingCandidate> headings = headingsToTry(*asked);
-        tried = tried.and_then([&] {
-            return takeBest(best, headings.size(),
-                            [&](std::size_t i) { return alongHeading(best, headings[i]); });
-        });
+    if (course_.asked) {
+        course_.asked(*asked);
     }
-    return tried.transform([&] { return std::move(best); });
+    const bool triesHeadings = !hasOwnOrder(request.settings) && !hasHeadingPerCell(request.settings);
+    const std::vector<HeadingCandidate> headings =
+        triesHeadings ? headingsToTry(*asked) : std::vector<HeadingCandidate>{};
+    const double decided = kAskedShare + (1.0 - kAskedShare) / (1.0 + static_cast<double>(headings.size()));
+    return decideOrderAndCorners(best, job.part(kAskedShare, decided))
+        .and_then([&] {
+            return takeBest(
+                best, headings.size(),
+                [&](std::size_t i, const JobContext& piece) {
+                    return alongHeading(best, headings[i], piece);
+                },
+                job.part(decided, 1.0));
+        })
+        .transform([&] { return std::move(best); });
 }
 
 }  // namespace furrow

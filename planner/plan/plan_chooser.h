@@ -2,9 +2,12 @@
 
 #include "planner/plan/stage_runner.h"
 
+#include <cstddef>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace furrow {
@@ -39,34 +42,51 @@ bool hasOwnOrder(const Settings& settings);
 /// The request with all swaths in this direction.
 PlanRequest along(PlanRequest request, Angle heading);
 
+/// Share of the plan as asked in the progress of a plan that is improved: the median of real fields.
+inline constexpr double kAskedShare = 0.35;
+
+/// Whom a chooser tells; each may be empty.
+struct ChoosingCourse {
+    std::function<void(const PlannedStages&)>
+        asked;  ///< the plan as asked, before others are compared with it
+    std::function<void(std::size_t done, std::size_t known)> compared;  ///< see PlanCourse
+};
+
 /// Plans requests and what they leave to the planner, and compares the plans as driven.
 class PlanChooser {
 public:
-    PlanChooser(StageRunner& runner, const JobContext& job)
-        : runner_{runner}, quiet_{job.withoutProgress()} {}
+    explicit PlanChooser(StageRunner& runner, ChoosingCourse course = {})
+        : runner_{runner}, course_{std::move(course)} {}
 
     /// The plan as asked, with what is left to the planner decided by the time of the driven path: heading,
     /// order and corners. Errors: those of the stages. Cancelled.
-    ///
-    /// @param progress  of the plan as asked; may be empty
-    Result<BestSoFar> improved(const PlanRequest& request, const std::function<void(double)>& progress);
+    Result<BestSoFar> improved(const PlanRequest& request, const JobContext& job);
 
     /// The plan of another request with the headings as it asks, and its own best order and corners. Empty if
     /// it blocks more, or takes more than 6 % longer than the best plan before. Cancelled.
-    Result<std::optional<BestSoFar>> changed(const BestSoFar& best, const PlanRequest& asked);
+    Result<std::optional<BestSoFar>> changed(const BestSoFar& best, const PlanRequest& asked,
+                                             const JobContext& job);
 
 private:
     template <class Make>
-    Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make);
+    Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make, const JobContext& job);
     Result<std::optional<PlannedStages>> nearPlan(const BestSoFar& best, const PlanRequest& other,
-                                                  double near, QuickestMeanwhile* meanwhile = nullptr);
-    Result<void> tryCorners(BestSoFar& best);
-    Result<void> decideOrderAndCorners(BestSoFar& best);
-    Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, std::string_view pattern);
-    Result<std::optional<BestSoFar>> alongHeading(const BestSoFar& best, const HeadingCandidate& candidate);
+                                                  double near, QuickestMeanwhile* meanwhile,
+                                                  const JobContext& job);
+    Result<void> tryCorners(BestSoFar& best, const JobContext& job);
+    Result<void> decideOrderAndCorners(BestSoFar& best, const JobContext& job);
+    Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, std::string_view pattern,
+                                             const JobContext& job);
+    Result<std::optional<BestSoFar>> alongHeading(const BestSoFar& best, const HeadingCandidate& candidate,
+                                                  const JobContext& job);
+    void expect(std::size_t plans);
+    void tellCompared();
 
     StageRunner& runner_;
-    JobContext quiet_;
+    ChoosingCourse course_;
+    std::mutex mutex_;  ///< of the next two
+    std::size_t known_ = 0;
+    std::size_t compared_ = 0;
 };
 
 }  // namespace furrow

@@ -6,9 +6,11 @@
 #include "planner/plan/plan_chooser.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace furrow {
 
@@ -29,6 +31,12 @@ constexpr SimplerChoice kSimplerChoices[] = {
 // With this share of the field as mainland, another number of headland passes saves little.
 constexpr double kMuchMainland = 0.7;
 constexpr int kTwoPasses = 2;
+// Shares of the progress: all but fewer passes, where those are worth a look and where not; the plan as asked
+// beside a simpler one; of what is left for fewer passes one less of them.
+constexpr double kBesideFewer = 0.5;
+constexpr double kBesideNone = 0.95;
+constexpr double kBesideSimpler = 0.5;
+constexpr double kOnePassLess = 0.6;
 
 std::string_view choiceName(const Parameter& parameter, std::string_view id) {
     return std::ranges::find(parameter.choices, id, &Choice::id)->name;
@@ -53,17 +61,19 @@ bool mayHaveFewerPasses(const PlannedStages& plan) {
 }
 
 /// Takes the plan with fewer headland passes where that is quicker, each as good as it gets. Cancelled.
-Result<void> tryFewerPasses(PlanChooser& chooser, BestSoFar& best) {
+Result<void> tryFewerPasses(PlanChooser& chooser, BestSoFar& best, const JobContext& job) {
     const Settings& asked = best.asked.settings;
     if (!headlandMethod(asked).traits.isOneWidth || asked.isSet(kHeadlandWidth) ||
         asked.isSet(kHeadlandPasses)) {
         return {};
     }
-    while (mayHaveFewerPasses(best.plan)) {
+    for (double begun = 0.0; mayHaveFewerPasses(best.plan);) {
+        const double end = begun + kOnePassLess * (1.0 - begun);
         const int passes = best.plan.laidOut.headland->passes - 1;
         PlanRequest fewer = best.asked;
         fewer.settings.set(kHeadlandPasses, static_cast<double>(passes)).value();
-        auto other = chooser.changed(best, fewer);
+        auto other = chooser.changed(best, fewer, job.part(begun, end));
+        begun = end;
         if (!other || !*other || !isBetter((*other)->plan, best.plan)) {
             return other.transform([](auto&&) {});
         }
@@ -76,7 +86,8 @@ Result<void> tryFewerPasses(PlanChooser& chooser, BestSoFar& best) {
 }
 
 /// Takes the plan with the simpler choice where that is quicker, each as good as it gets. Cancelled.
-Result<void> trySimpler(PlanChooser& chooser, BestSoFar& best, const SimplerChoice& choice) {
+Result<void> trySimpler(PlanChooser& chooser, BestSoFar& best, const SimplerChoice& choice,
+                        const JobContext& job) {
     const Parameter& parameter = **findParameter(choice.key);
     if (best.asked.settings.choice(parameter) != choice.chosen) {
         return {};
@@ -85,7 +96,7 @@ Result<void> trySimpler(PlanChooser& chooser, BestSoFar& best, const SimplerChoi
     if (auto set = simpler.settings.setText(parameter, choice.simpler); !set) {
         return set;
     }
-    auto other = chooser.improved(simpler, {});
+    auto other = chooser.improved(simpler, job);
     if (!other) {
         return other.error().code == ErrorCode::Cancelled ? Result<void>{std::unexpected(other.error())}
                                                           : Result<void>{};
@@ -105,18 +116,54 @@ Result<void> trySimpler(PlanChooser& chooser, BestSoFar& best, const SimplerChoi
 
 }  // namespace
 
-Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner,
-                                      const JobContext& job) {
-    PlanChooser chooser{runner, job};
-    auto best = chooser.improved(request, job.progress);
+Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job,
+                                      ChoosingCourse course) {
+    const bool compares = !request.draft && !hasOwnOrder(request.settings);
+    std::vector<const SimplerChoice*> simpler;
+    for (const SimplerChoice& choice : kSimplerChoices) {
+        if (compares && request.settings.choice(**findParameter(choice.key)) == choice.chosen) {
+            simpler.push_back(&choice);
+        }
+    }
+    const double asked = simpler.empty() ? 1.0 : kBesideSimpler;
+    // How much is left for fewer passes is known with the plan as asked: the rest takes as much less.
+    std::atomic<double> improved = compares ? kBesideNone : 1.0;
+    ChoosingCourse told{.asked =
+                            [&, isTold = false](const PlannedStages& plan) mutable {
+                                // The plan with a simpler choice is one that nobody asked for.
+                                if (std::exchange(isTold, true)) {
+                                    return;
+                                }
+                                improved =
+                                    compares && mayHaveFewerPasses(plan) ? kBesideFewer : improved.load();
+                                if (course.asked) {
+                                    course.asked(plan);
+                                }
+                            },
+                        .compared = course.compared};
+    PlanChooser chooser{runner, std::move(told)};
+    const JobContext whole = job.part(0.0, asked);
+    JobContext improving = whole.withoutProgress();
+    if (whole.progress) {
+        improving.progress = [&](double share) {
+            constexpr double kBegun = kBesideFewer * kAskedShare;
+            whole.report(share < kAskedShare
+                             ? kBesideFewer * share
+                             : kBegun + (share - kAskedShare) / (1.0 - kAskedShare) * (improved - kBegun));
+        };
+    }
+    auto best = chooser.improved(request, improving);
     if (!best) {
         return std::unexpected(best.error());
     }
     Result<void> tried;
-    if (!request.draft && !hasOwnOrder(request.settings)) {
-        tried = tryFewerPasses(chooser, *best);
-        for (const SimplerChoice& choice : kSimplerChoices) {
-            tried = tried.and_then([&] { return trySimpler(chooser, *best, choice); });
+    if (compares) {
+        tried = tryFewerPasses(chooser, *best, whole.part(improved, 1.0));
+        const double each = (1.0 - asked) / static_cast<double>(std::max<std::size_t>(1, simpler.size()));
+        for (std::size_t i = 0; i < simpler.size(); ++i) {
+            const double begun = asked + each * static_cast<double>(i);
+            tried = tried.and_then(
+                [&] { return trySimpler(chooser, *best, *simpler[i], job.part(begun, begun + each)); });
         }
     }
     return tried.transform([&] {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/plan/plan_chooser.h"
 #include "planner/plan/plan_to_beat.h"
 #include "planner/plan/stage_runner.h"
 
@@ -29,6 +30,7 @@ struct QuickestChoice {
 /// Plan::instead names each choice that was replaced. A note tells it, except for orders and corners, which
 /// nobody asked for. Cost: one plan for each alternative. Plans that cannot win are not audited. Errors:
 /// those of the request. Cancelled.
-Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job);
+Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job,
+                                      ChoosingCourse course = {});
 
 }  // namespace furrow

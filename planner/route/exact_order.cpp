@@ -126,7 +126,8 @@ std::optional<std::size_t> BranchAndBound::opened(Node& node, const JobContext& 
     }
     OneTreeFinder finder{
         {.swathCount = costs_.swathCount(), .links = links, .begin = begin, .finish = finish}};
-    const Ascent ascent = ascended(finder, node.multipliers, best_.cost, kRoundsInNode, job);
+    const Ascent ascent =
+        ascended(finder, node.multipliers, best_.cost, kRoundsInNode, job.withoutProgress());
     if (ascent.bound == kInfinite || ascent.tree.cost == kInfinite) {
         return std::nullopt;
     }

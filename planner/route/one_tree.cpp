@@ -181,6 +181,7 @@ Ascent ascended(OneTreeFinder& finder, std::vector<double> multipliers, double k
             multipliers[end] += moved;
             before[end] = moved;
         }
+        job.report(static_cast<double>(round + 1) / static_cast<double>(rounds));
     }
     return best;
 }

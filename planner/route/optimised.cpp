@@ -28,6 +28,8 @@ constexpr std::size_t kLeastRounds = 1'000;
 constexpr std::size_t kMostRounds = 4'000;
 // How often an order is searched anew after ways that do not fit were found along it.
 constexpr int kMostChecks = 6;
+// A draft of more swaths takes the best pattern: a search takes time with the square of their number.
+constexpr std::size_t kMostSearchedInDraft = 150;
 
 /// Patterns that are easier to follow come first.
 std::vector<PatternOrder> patterns() {
@@ -62,20 +64,20 @@ Result<std::vector<EndOrder>> patternOrders(const RouteTask& task, const RouteCo
 class CheckedSearch {
 public:
     CheckedSearch(RouteCosts& costs, const OpenStripLimit* strips, std::vector<EndOrder> starts, bool isDraft)
-        : costs_{costs},
-          strips_{strips},
-          isDraft_{isDraft},
-          orders_{std::move(starts)},
-          near_{nearEnds(costs.links(), kNearLinks)} {}
+        : costs_{costs}, strips_{strips}, isDraft_{isDraft}, orders_{std::move(starts)} {}
 
     EndOrder run(const JobContext& job) {
         const std::size_t swaths = costs_.links().swathCount();
+        if (isDraft_ && swaths > kMostSearchedInDraft) {
+            return cheapest(job);
+        }
+        const NearEnds near = nearEnds(costs_.links(), kNearLinks);
         std::size_t rounds = isDraft_ ? 0 : std::clamp(kRoundsPerSwath * swaths, kLeastRounds, kMostRounds);
         for (int check = 0; check < kMostChecks && !job.stopRequested(); ++check) {
             const bool isExact = swaths <= kMostByDynamicProgramming && !isDraft_ && strips_ == nullptr;
             orders_.push_back(isExact ? cheapestOrder(costs_.links()).order
                                       : searchedOrder({.costs = costs_.links(),
-                                                       .near = near_,
+                                                       .near = near,
                                                        .starts = orders_,
                                                        .rounds = rounds,
                                                        .strips = strips_},
@@ -116,7 +118,6 @@ private:
     const OpenStripLimit* strips_;
     bool isDraft_;
     std::vector<EndOrder> orders_;
-    NearEnds near_;
 };
 
 /// The order with the locked swaths at its beginning.

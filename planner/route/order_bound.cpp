@@ -16,6 +16,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // How often links that the tree lacked are added, and its own ones are checked.
 constexpr int kMostPricings = 12;
 constexpr std::size_t kLaterShare = 6;
+// Of the progress.
+constexpr double kFirstPricing = 0.7;
 constexpr double kEqual = 1e-9;
 
 /// Links of trees, each once.
@@ -127,8 +129,14 @@ OrderBound heldKarpBound(LinkCosts& costs, const NearEnds& near, double known, s
         }
         OneTreeFinder finder{
             {.swathCount = costs.swathCount(), .links = links.links(), .begin = begin, .finish = finish}};
+        const auto begun = [](int pricings) {
+            return pricings == 0
+                       ? 0.0
+                       : kFirstPricing + (1.0 - kFirstPricing) * (pricings - 1) / (kMostPricings - 1);
+        };
         const Ascent ascent =
-            ascended(finder, multipliers, known, pricing == 0 ? rounds : rounds / kLaterShare, job);
+            ascended(finder, multipliers, known, pricing == 0 ? rounds : rounds / kLaterShare,
+                     job.part(begun(pricing), begun(pricing + 1)));
         multipliers = ascent.multipliers;
         full = fullTree(costs, multipliers);
         const double proved = full.cost + depotCost(ascent.tree, links.links(), multipliers);

@@ -21,6 +21,9 @@ constexpr std::size_t kBranchingWork = 150'000;
 constexpr std::size_t kMostAssigned = 200;
 // A smaller gap is none.
 constexpr double kProved = 1e-6;
+// Shares of the progress: the links of the order, and the bound from multipliers.
+constexpr double kChecked = 0.2;
+constexpr double kBounded = 0.8;
 
 double share(double cost, double bound) {
     return cost > bound && bound > 0.0 ? cost / bound - 1.0 : 0.0;
@@ -45,6 +48,7 @@ Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& t
             return std::nullopt;
         }
         links.check(otherEnd(order[i - 1]), order[i]);
+        job.report(kChecked * static_cast<double>(i) / static_cast<double>(order.size()));
     }
     RouteProof proof{.working = costs.working(), .nonWorking = links.of(order), .lowerBound = 0.0};
     costs.setEffort(SearchEffort::None);
@@ -52,12 +56,15 @@ Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& t
     const std::size_t rounds =
         std::clamp(kRoundsTimesSwaths / std::max<std::size_t>(1, swaths), kLeastRounds, kMostRounds);
     const FoundOrder known{.order = order, .cost = proof.nonWorking};
-    const OrderBound bound = heldKarpBound(links, nearEnds(links, kNearLinks), known.cost, rounds, job);
+    const OrderBound bound =
+        heldKarpBound(links, nearEnds(links, kNearLinks), known.cost, rounds, job.part(kChecked, kBounded));
     proof.lowerBound = bound.cost;
     if (proof.gap() > kProved && swaths <= kMostByDynamicProgramming) {
         proof.lowerBound = std::min(known.cost, cheapestOrder(links).cost);
     } else if (proof.gap() > kProved && swaths <= kMostByBranching) {
-        proof.lowerBound = branchAndBound(links, known, bound, kBranchingWork / (swaths * swaths), job).bound;
+        proof.lowerBound =
+            branchAndBound(links, known, bound, kBranchingWork / (swaths * swaths), job.withoutProgress())
+                .bound;
     }
     if (proof.gap() > kProved && swaths <= kMostAssigned) {
         proof.lowerBound = std::max(proof.lowerBound, std::min(known.cost, assignmentBound(links)));
