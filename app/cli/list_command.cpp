@@ -64,6 +64,7 @@ std::string_view kindName(ParameterKind kind) {
         case ParameterKind::Lines: return "wkt";
         case ParameterKind::File: return "file";
         case ParameterKind::Place: return "place";
+        case ParameterKind::Places: return "places";
         case ParameterKind::Numbers: return "numbers";
     }
     return "";
@@ -108,6 +109,8 @@ std::string rangeText(const Parameter& parameter) {
         case ParameterKind::Lines: return "WKT of lines in WGS84, default none";
         case ParameterKind::File: return "a file, default none";
         case ParameterKind::Place: return "a gate or a WKT point in WGS84, default the first gate";
+        case ParameterKind::Places:
+            return "gates or WKT points in WGS84, divided by semicolons, default none";
         case ParameterKind::Numbers: return "numbers divided by commas, default none";
     }
     return standard;

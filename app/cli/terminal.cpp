@@ -116,7 +116,7 @@ JobContext terminalJob(const InterruptWatch& watch, int threads, bool quiet) {
 
 JobContext linesJob(const InterruptWatch& watch, int threads) {
     return {.stop = watch.token(),
-            .progress = inSteps(10, [](int tenth) { std::println(stderr, "progress {} %", 10 * tenth); }),
+            .progress = inSteps(100, [](int percent) { std::println(stderr, "progress {} %", percent); }),
             .threads = threads};
 }
 

@@ -93,7 +93,8 @@ Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
                                          .area = *swept,
                                          .clearance = clearance ? &*clearance : nullptr,
                                          .kinematics = kinematics,
-                                         .traffic = *traffic});
+                                         .traffic = *traffic,
+                                         .tank = measureTank(input)});
     job.report(1.0);
     return report;
 }

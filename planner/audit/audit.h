@@ -23,6 +23,15 @@ struct AuditGate {
     Length width;
 };
 
+/// The tank or bunker whose level a path states, and where it is filled or emptied.
+struct AuditTank {
+    bool gathers = false;  ///< a bunker; otherwise a tank
+    std::vector<Point> points;
+    Length reach;  ///< the machine stops no farther from a point than this
+
+    friend bool operator==(const AuditTank&, const AuditTank&) = default;
+};
+
 /// A pass that the plan promises. It must be found on the path.
 struct PlannedPass {
     Polyline line;  ///< middle of the worked lane
@@ -50,6 +59,8 @@ struct AuditInput {
     Length margin;
     /// Other land that the plan leaves on purpose: wet spots, alleys, gaps. May overlap.
     MultiPolygon leftOnPurpose;
+    /// With a machine that has a tank: its level is followed.
+    std::optional<AuditTank> tank = {};
     /// The user let connections leave the field: reported as a note.
     bool mayLeaveField = false;
     /// Headings, speeds and times are stated. If false, only positions are, and only areas, clearance and
@@ -129,7 +140,8 @@ struct AuditReport {
 /// Left: the missed area within reach. If that would block the plan, and nothing trails, only the part that
 /// the machine has room to work (WorkingRoom).
 /// Blocking findings: outside, obstacle, curvature, jump, heading, missing-turn, reverse, dropped-swath,
-/// dropped-pass, undrivable, folded (without standing for it), and missed area within reach above 1 % of the
+/// dropped-pass, undrivable, folded (without standing for it), refill (work beyond what the tank holds, or
+/// filled elsewhere than standing at a refill point), and missed area within reach above 1 % of the
 /// workable area or 100 m² in one piece. Cost: O(samples log samples), one sweep over all passes and, with a
 /// machine, two offsets of the field. Cancelled, within milliseconds. Deterministic for any thread count.
 Result<AuditReport> audit(const AuditInput& input, const JobContext& job = {});

@@ -73,6 +73,7 @@ public:
         reportCurvature();
         reportSteering();
         reportFolding();
+        reportTank();
         reportBreaks();
         reportReverse();
         reportDroppedPasses();
@@ -193,6 +194,34 @@ private:
                     "not in {}.",
                     input_.machine->spec().implement.timeToFold.si(), placesOf(folding.count)),
                 "Plan again; the times were changed.", folding.segment);
+        }
+    }
+
+    void reportTank() {
+        const TankReport& tank = measured_.tank;
+        if (tank.beyond.count > 0) {
+            add(Severity::Blocking, FindingKind::Refill, tank.beyond.place,
+                message(input_.tank->gathers ? "The bunker is full in {}: {:.0f} m are worked beyond that."
+                                             : "The tank is empty in {}: {:.0f} m are worked beyond that.",
+                        segmentName(input_, tank.beyond.segment), tank.beyondM),
+                "Give more refill points, or ones that are nearer.", tank.beyond.segment);
+        }
+        if (tank.away.count > 0) {
+            add(Severity::Blocking, FindingKind::Refill, tank.away.place,
+                message("The level changes {:.0f} m away from the refill points.", tank.away.worst),
+                "Plan again; the levels were changed.", tank.away.segment);
+        }
+        if (tank.standing.count > 0) {
+            add(Severity::Blocking, FindingKind::Refill, tank.standing.place,
+                message("The machine has to stand for {:.0f} s at a refill point, and does not in {}.",
+                        input_.machine->spec().tank->fillTime().si(), placesOf(tank.standing.count)),
+                "Plan again; the times were changed.", tank.standing.segment);
+        }
+        if (tank.mismatch.count > 0) {
+            add(Severity::Blocking, FindingKind::Refill, tank.mismatch.place,
+                message("The stated level differs from the work that is done, by up to {:.0f} % of the tank.",
+                        100.0 * tank.mismatch.worst),
+                "Plan again; the levels were changed.", tank.mismatch.segment);
         }
     }
 

@@ -3,6 +3,7 @@
 #include "planner/audit/clearance.h"
 #include "planner/audit/kinematics.h"
 #include "planner/audit/swept_area.h"
+#include "planner/audit/tank.h"
 #include "planner/audit/traffic.h"
 
 namespace furrow {
@@ -15,6 +16,7 @@ struct Measurements {
     const ClearanceReport* clearance = nullptr;  ///< null without a machine
     const Kinematics& kinematics;
     const Traffic& traffic;
+    const TankReport& tank;
 };
 
 /// Puts the measurements into words: blocking ones first, each group in driving order.

@@ -36,6 +36,23 @@ Result<std::vector<Point>> pointsOfWkt(const std::string& wkt) {
     return pointsOf(geometry.get());
 }
 
+Result<std::vector<Point>> placesOfWkt(const std::string& wkt) {
+    const Geometry geometry = fromWkt(wkt);
+    const int count = geometry ? GEOSGetNumGeometries_r(handle(), geometry.get()) : 0;
+    std::vector<Point> places;
+    for (int i = 0; i < count; ++i) {
+        const GEOSGeometry* const part = GEOSGetGeometryN_r(handle(), geometry.get(), i);
+        if (GEOSGeomTypeId_r(handle(), part) != GEOS_POINT || GEOSisEmpty_r(handle(), part) == 1) {
+            return std::unexpected(notALine(wkt));
+        }
+        places.push_back(pointsOf(part).front());
+    }
+    if (places.empty()) {
+        return std::unexpected(notALine(wkt));
+    }
+    return places;
+}
+
 Result<std::vector<Polyline>> linesOfWkt(const std::string& wkt) {
     const Geometry geometry = fromWkt(wkt);
     const int count = geometry ? GEOSGetNumGeometries_r(handle(), geometry.get()) : 0;

@@ -70,6 +70,11 @@ struct Implement {
 struct Tank {
     double capacity = 0.0;
     double ratePerM2 = 0.0;
+    /// That the machine stands to fill or to empty it. If not given, `kUsualFillTime`.
+    std::optional<double> fillTimeS = {};
+
+    Duration fillTime() const { return fillTimeS ? seconds(*fillTimeS) : kUsualFillTime; }
+    static constexpr Duration kUsualFillTime = seconds(300.0);
 
     friend bool operator==(const Tank&, const Tank&) = default;
 };

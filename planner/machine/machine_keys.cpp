@@ -102,6 +102,25 @@ void setPart(MachineSpec& spec, const MachineValue& value) {
     }
 }
 
+/// A number of a part that may be missing there. It creates the part; without it the rest of the part stays.
+template <auto Whole, auto Part>
+MachineValue getPartOption(const MachineSpec& spec) {
+    const auto& whole = spec.*Whole;
+    return whole && (*whole).*Part ? MachineValue{*((*whole).*Part)} : MachineValue{};
+}
+
+template <auto Whole, auto Part>
+void setPartOption(MachineSpec& spec, const MachineValue& value) {
+    auto& whole = spec.*Whole;
+    const double* number = std::get_if<double>(&value);
+    if (number != nullptr && !whole) {
+        whole.emplace();
+    }
+    if (whole) {
+        (*whole).*Part = number != nullptr ? std::optional{*number} : std::nullopt;
+    }
+}
+
 struct Range {
     double min;
     double max;
@@ -209,6 +228,15 @@ constexpr MachineKey mounting() {
 constexpr auto kTractor = &MachineSpec::tractor;
 constexpr auto kImplement = &MachineSpec::implement;
 
+constexpr MachineKey tankFillTime() {
+    MachineKey made = part<&MachineSpec::tank, &Tank::capacity>(
+        "tank_fill_time_s", "Time to fill", "s", {0.0, 7200.0}, {0.0, 86400.0},
+        "That the machine stands each time its tank is filled or its bunker emptied; 300 s where it is not given.");
+    made.get = &getPartOption<&MachineSpec::tank, &Tank::fillTimeS>;
+    made.set = &setPartOption<&MachineSpec::tank, &Tank::fillTimeS>;
+    return made;
+}
+
 constexpr MachineKey kKeys[] = {
     text<&MachineSpec::id>("id", "Id", "Short name for the command line."),
     text<&MachineSpec::name>("name", "Name", "What the machine is called."),
@@ -289,6 +317,7 @@ constexpr MachineKey kKeys[] = {
     part<&MachineSpec::tank, &Tank::ratePerM2>(
         "tank_rate_per_m2", "Rate", "per m²", {0.0, 1000.0}, {0.0, 1e6},
         "What is spread or gathered on a square metre, in the same unit."),
+    tankFillTime(),
     part<&MachineSpec::fuel, &FuelUse::workingLph>("fuel_working_lph", "Fuel at work", "l/h", {0.0, 500.0},
                                                    {0.0, 5000.0}, "Litres of fuel per hour of work."),
     part<&MachineSpec::fuel, &FuelUse::turningLph>("fuel_turning_lph", "Fuel in turns", "l/h", {0.0, 500.0},

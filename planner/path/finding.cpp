@@ -29,6 +29,7 @@ std::string_view kindId(FindingKind kind) {
         case FindingKind::Gate: return "gate";
         case FindingKind::TurnKind: return "turn-kind";
         case FindingKind::Folded: return "folded";
+        case FindingKind::Refill: return "refill";
         case FindingKind::Repair: return "repair";
         case FindingKind::Instead: return "instead";
         case FindingKind::Setting: return "setting";

@@ -38,6 +38,7 @@ enum class FindingKind {
     Gate,                 ///< of the ways in and out
     TurnKind,             ///< a turn of another kind than chosen
     Folded,               ///< a way is driven with the implement folded
+    Refill,               ///< the tank is empty, or a refill point is out of reach
     Repair,               ///< the boundary was repaired
     Instead,              ///< another choice was quicker
     Setting,              ///< a note of a stage about one of its settings

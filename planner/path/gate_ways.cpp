@@ -6,6 +6,7 @@
 #include "planner/geometry/segment.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/geometry/wkt.h"
+#include "planner/settings/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,18 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
     return across ? across : nearest(kAsideDeg);
 }
 
+Error noSuchPlace(const std::vector<Gate>& gates, const std::string& given, const Parameter& parameter) {
+    std::string names;
+    for (const Gate& gate : gates) {
+        names += (names.empty() ? "" : ", ") + gate.name;
+    }
+    return {.code = ErrorCode::Usage,
+            .what = message("there is no gate '{}'", given),
+            .where = std::string{parameter.key},
+            .remedy = names.empty() ? Message{"give a point such as POINT (4.1 52.0)"}
+                                    : message("give one of {} or a point such as POINT (4.1 52.0)", names)};
+}
+
 }  // namespace
 
 Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings,
@@ -101,16 +114,7 @@ Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings&
     }
     const auto points = pointsOfWkt(given);
     if (!points || points->size() != 1) {
-        std::string names;
-        for (const Gate& gate : gates) {
-            names += (names.empty() ? "" : ", ") + gate.name;
-        }
-        return std::unexpected(Error{
-            .code = ErrorCode::Usage,
-            .what = message("there is no gate '{}'", given),
-            .where = std::string{parameter.key},
-            .remedy = names.empty() ? Message{"give a point such as POINT (4.1 52.0)"}
-                                    : message("give one of {} or a point such as POINT (4.1 52.0)", names)});
+        return std::unexpected(noSuchPlace(gates, given, parameter));
     }
     const RoutePlace place{field.frame().toLocal({points->front().x, points->front().y}), std::nullopt};
     const PreparedArea inside{field.drivable()};
@@ -121,6 +125,52 @@ Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings&
                                      .remedy = "give a gate, or a point in the field"});
     }
     return place;
+}
+
+Result<std::vector<RoutePlace>> routePlaces(const Field& field, const Settings& settings,
+                                            const Parameter& parameter) {
+    const std::string given = settings.place(parameter);
+    const std::vector<Gate>& gates = field.source().gates;
+    std::vector<RoutePlace> places;
+    const auto add = [&](Point position, std::optional<Gate> gate) {
+        if (std::ranges::none_of(places, [&](const RoutePlace& known) {
+                return distance(known.position, position) < kContactM;
+            })) {
+            places.push_back({position, std::move(gate)});
+        }
+    };
+    const auto gateOf = [&](std::string_view name) { return std::ranges::find(gates, name, &Gate::name); };
+    const auto addGate = [&](const Gate& gate) { add(field.frame().toLocal(gate.position), gate); };
+    // A name may hold a semicolon.
+    if (const auto gate = gateOf(given); !given.empty() && gate != gates.end()) {
+        addGate(*gate);
+        return places;
+    }
+    const auto entries = givenPlaces(given);
+    if (!entries) {
+        return std::unexpected(entries.error());
+    }
+    const PreparedArea inside{field.drivable()};
+    for (const GivenPlace& entry : *entries) {
+        if (!entry.point) {
+            const auto gate = gateOf(entry.name);
+            if (gate == gates.end()) {
+                return std::unexpected(noSuchPlace(gates, entry.name, parameter));
+            }
+            addGate(*gate);
+            continue;
+        }
+        const Point position = field.frame().toLocal(*entry.point);
+        if (!inside.covers({{position, position}})) {
+            return std::unexpected(Error{.code = ErrorCode::Usage,
+                                         .what = message("POINT ({} {}) lies outside of the field",
+                                                         entry.point->lonDeg, entry.point->latDeg),
+                                         .where = std::string{parameter.key},
+                                         .remedy = "give a gate, or a point in the field"});
+        }
+        add(position, std::nullopt);
+    }
+    return places;
 }
 
 namespace {
@@ -179,5 +229,14 @@ const Parameter kRouteEnd{.key = "route.end",
                           .kind = ParameterKind::Place,
                           .standard = {},
                           .choices = {}};
+
+const Parameter kRouteRefill{
+    .key = "route.refill",
+    .name = "Refill points",
+    .description =
+        "Where the tank is filled or the bunker emptied: points or names of gates, divided by semicolons.",
+    .kind = ParameterKind::Places,
+    .standard = {},
+    .choices = {}};
 
 }  // namespace furrow

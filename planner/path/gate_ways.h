@@ -12,6 +12,7 @@ namespace furrow {
 
 extern const Parameter kRouteStart;
 extern const Parameter kRouteEnd;
+extern const Parameter kRouteRefill;
 
 /// The place where a path begins or ends.
 struct RoutePlace {
@@ -23,6 +24,10 @@ struct RoutePlace {
 /// gate either. Usage: a name that no gate has, a point outside the field.
 Result<std::optional<RoutePlace>> routePlace(const Field& field, const Settings& settings,
                                              const Parameter& parameter);
+
+/// The same of a setting with several places, each once, in their order. Empty if none is given.
+Result<std::vector<RoutePlace>> routePlaces(const Field& field, const Settings& settings,
+                                            const Parameter& parameter);
 
 /// The areas with these gates open, each as a disc of the gate's width.
 Result<AllowedAreas> withOpenGates(const AllowedAreas& drivable, const Field& field,

@@ -85,7 +85,8 @@ int Path::undrivableCount() const {
     int count = 0;
     bool counted = false;
     for (const PathSegment& segment : segments) {
-        if (segment.kind != SegmentKind::Turn && segment.kind != SegmentKind::Transfer) {
+        if (segment.kind != SegmentKind::Turn && segment.kind != SegmentKind::Transfer &&
+            segment.kind != SegmentKind::Refill) {
             counted = false;
         } else if (!segment.drivable && !counted) {
             ++count;
@@ -93,6 +94,10 @@ int Path::undrivableCount() const {
         }
     }
     return count;
+}
+
+int Path::refillCount() const {
+    return static_cast<int>(std::ranges::count(segments, true, &PathSegment::refills));
 }
 
 const PathSegment* Path::workBefore(std::size_t segment) const {

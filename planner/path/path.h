@@ -28,6 +28,8 @@ struct PathSample {
     double headingRad = 0.0;    ///< of the nose, in [0, 2 pi)
     double curvature1pm = 0.0;  ///< positive to the left along the nose
     double speedMps = 0.0;      ///< not negative
+    /// What is in the tank or bunker, in the user's own unit; empty if the plan does not follow it.
+    std::optional<double> level = {};
 
     friend bool operator==(const PathSample&, const PathSample&) = default;
 };
@@ -39,7 +41,8 @@ struct PathSegment {
     int number = 0;        ///< of the swath, or of the headland pass from the outside; 0 for others
     Gear gear = Gear::Forward;
     bool implementDown = false;
-    bool folded = false;  ///< driven with the implement folded for the road
+    bool folded = false;   ///< driven with the implement folded for the road
+    bool refills = false;  ///< at its end the machine stands at a refill point
     bool drivable = true;
     Message reason;  ///< why it is not drivable
     std::vector<PathSample> samples;
@@ -73,7 +76,10 @@ struct Path {
     Length reversedLength() const;
     /// The number of ways from one swath to the next, regardless of their segments.
     int turnCount() const;
-    /// The number of these ways and of transfers that contain a segment that cannot be driven.
+    /// How often the tank is filled or the bunker emptied.
+    int refillCount() const;
+    /// The number of these ways, of transfers and of ways to refill that contain a segment that cannot be
+    /// driven.
     int undrivableCount() const;
     /// The worked stretch before or after a segment without work. Null at the path's ends.
     const PathSegment* workBefore(std::size_t segment) const;

@@ -53,7 +53,11 @@ Result<std::vector<Leg>> joinedLegs(std::span<const Leg> legs, const Machine& ma
             const bool isTransfer = (turn.type == kCombinedTurn && turn.length() > longest) ||
                                     legs[i].kind == SegmentKind::Transfer ||
                                     legs[i + 1].kind == SegmentKind::Transfer;
-            return Leg{.kind = isTransfer ? SegmentKind::Transfer : SegmentKind::Turn,
+            const bool isTrip =
+                legs[i].kind == SegmentKind::Refill || legs[i + 1].kind == SegmentKind::Refill;
+            return Leg{.kind = isTrip       ? SegmentKind::Refill
+                               : isTransfer ? SegmentKind::Transfer
+                                            : SegmentKind::Turn,
                        .number = 0,
                        .line = std::move(turn),
                        .implementDown = false,

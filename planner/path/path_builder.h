@@ -17,7 +17,8 @@ struct Leg {
     int number = 0;  ///< of the swath or headland pass
     Curve line;      ///< of the vehicle's reference point
     bool implementDown = true;
-    bool folded = false;  ///< driven with the implement folded for the road
+    bool folded = false;   ///< driven with the implement folded for the road
+    bool refills = false;  ///< at its end the machine stands at a refill point
 };
 
 /// One leg for each step of the route.

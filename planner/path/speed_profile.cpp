@@ -181,6 +181,17 @@ void addFolding(std::vector<Run>& runs, const Machine& machine) {
     }
 }
 
+/// The machine stands at refill points.
+void addRefills(std::vector<Run>& runs, const Machine& machine) {
+    const Duration fills = machine.spec().tank ? machine.spec().tank->fillTime() : Duration{};
+    for (std::size_t r = 1; r < runs.size(); ++r) {
+        if (runs[r].leg != runs[r - 1].leg && runs[r - 1].leg->refills) {
+            runs[r].stands = true;
+            runs[r].pauseS += fills.si();
+        }
+    }
+}
+
 /// The implement is lifted and lowered between two stretches of work. The turn is slow enough for that, or
 /// has a pause if it has no length.
 std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
@@ -199,6 +210,7 @@ std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, Steer
         }
     }
     addFolding(runs, machine);
+    addRefills(runs, machine);
     if (steering == SteeringLimit::Kept) {
         addSteering(runs, machine);
     }
@@ -280,7 +292,7 @@ class PathWriter {
 public:
     explicit PathWriter(double acceleration) : acceleration_{acceleration} {}
 
-    void begin(const Run& run, double speedMps) {
+    void begin(const Run& run, double speedMps, bool refills) {
         // The implement is handled or folded, and the wheels are turned at the same time.
         timeS_ += std::max(run.pauseS, run.steps.front().pauseS);
         path_.segments.push_back(
@@ -289,7 +301,8 @@ public:
              .number = run.leg->number,
              .gear = run.gear,
              .implementDown = run.leg->implementDown,
-             .folded = run.leg->folded});
+             .folded = run.leg->folded,
+             .refills = refills});
         add(run.steps.front().from, run.steps.front().piece.curvature, speedMps);
     }
 
@@ -363,7 +376,8 @@ Path withSpeeds(std::span<const Leg> legs, const Machine& machine, SteeringLimit
     PathWriter writer{acceleration};
     std::size_t at = 0;
     for (const Run& run : runs) {
-        writer.begin(run, speeds[at]);
+        const bool endsLeg = &run == &runs.back() || (&run + 1)->leg != run.leg;
+        writer.begin(run, speeds[at], run.leg->refills && endsLeg);
         for (std::size_t i = 0; i < run.steps.size(); ++i, ++at) {
             const Step& step = run.steps[i];
             if (i > 0) {

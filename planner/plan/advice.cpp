@@ -1,6 +1,7 @@
 #include "planner/plan/advice.h"
 
 #include "planner/headland/methods.h"
+#include "planner/path/gate_ways.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/shown_value.h"
 
@@ -30,7 +31,9 @@ std::vector<Change> changesFor(const Plan& plan) {
     for (const Parameter* parameter : allParameters() | std::views::reverse) {
         Settings without = settings;
         without.clear(*parameter);
-        if (settings.isSet(*parameter) && without.value(*parameter) != settings.value(*parameter)) {
+        // Without refill points nobody would look whether the tank runs empty.
+        if (parameter != &kRouteRefill && settings.isSet(*parameter) &&
+            without.value(*parameter) != settings.value(*parameter)) {
             changes.push_back({parameter, settingText(without.value(*parameter))});
         }
     }
@@ -80,7 +83,12 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
     const auto needsAdvice = [](const Finding& finding) {
         return finding.severity == Severity::Blocking && !finding.change;
     };
-    for (const Change& change : changesFor(*plan)) {
+    const std::vector<Change> changes = changesFor(*plan);
+    const auto share = [&changes](std::size_t done) {
+        return static_cast<double>(done) / static_cast<double>(changes.size());
+    };
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        const Change& change = changes[i];
         if (std::ranges::none_of(advised->findings, needsAdvice)) {
             break;
         }
@@ -88,7 +96,7 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
         if (!request.settings.setText(*change.parameter, change.value)) {
             continue;
         }
-        const auto changed = makePlan(request, job.withoutProgress(), cache);
+        const auto changed = makePlan(request, job.part(share(i), share(i + 1)), cache);
         if (!changed && changed.error().code == ErrorCode::Cancelled) {
             return std::unexpected(changed.error());
         }

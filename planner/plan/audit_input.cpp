@@ -1,6 +1,7 @@
 #include "planner/plan/audit_input.h"
 
 #include "planner/geometry/curve_sampling.h"
+#include "planner/path/refill_stops.h"
 #include "planner/plan/general_parameters.h"
 
 #include <ranges>
@@ -43,6 +44,11 @@ AuditInput auditInput(const AuditedParts& plan) {
                      .margin = plan.margin,
                      .leftOnPurpose = plan.leftOnPurpose,
                      .mayLeaveField = !plan.request.settings.flag(kStayInside)};
+    if (plan.refill != nullptr) {
+        input.tank = AuditTank{.gathers = plan.refill->work.gathers,
+                               .points = plan.refill->points,
+                               .reach = refillReach(plan.request.machine)};
+    }
     for (const Gate& gate : field.source().gates) {
         input.gates.push_back({field.frame().toLocal(gate.position), gate.width});
     }

@@ -18,6 +18,7 @@ struct AuditedParts {
     const Route& route;
     const Path& path;
     const MultiPolygon& leftOnPurpose;
+    const RefillTrips* refill = nullptr;  ///< null if the path does not follow a tank
 };
 
 /// Points into the path, which must outlive it.

@@ -65,11 +65,16 @@ Result<DriveCourse> DriveCourse::of(const Plan& plan, const JobContext& job) {
         // The turn on the spot takes the time until the segment begins.
         const double fromS = course.stations_.empty() ? first.tS : course.stations_.back().time.si();
         const std::size_t turns = motion.turnOnTheSpot.size();
+        const auto fromLevel = course.stations_.empty() ? first.level : course.stations_.back().level;
         for (std::size_t k = 0; k < turns; ++k) {
             DriveState state = stateOf(motion.turnOnTheSpot[k], i);
             state.time =
                 seconds(fromS + (first.tS - fromS) * static_cast<double>(k) / static_cast<double>(turns));
             state.driven = metres(first.sM);
+            if (fromLevel && first.level) {
+                const double share = static_cast<double>(k) / static_cast<double>(turns);
+                state.level = *fromLevel + share * (*first.level - *fromLevel);
+            }
             course.add(state, false);
         }
         std::size_t begin = 0;
@@ -93,6 +98,9 @@ Result<DriveCourse> DriveCourse::of(const Plan& plan, const JobContext& job) {
                 state.time = seconds(from.tS + t * (to.tS - from.tS));
                 state.driven = metres(from.sM + share * (to.sM - from.sM));
                 state.speed = metresPerSecond(from.speedMps + t * (to.speedMps - from.speedMps));
+                if (from.level && to.level) {
+                    state.level = *from.level + share * (*to.level - *from.level);
+                }
                 state.curvature =
                     Curvature::fromSi(from.curvature1pm + share * (to.curvature1pm - from.curvature1pm));
                 course.add(state, segment.implementDown);
@@ -137,6 +145,10 @@ DriveState DriveCourse::at(Duration time) const {
     state.implement = a.implement + share * (b.implement - a.implement);
     state.implementHeading = normalisedPoseHeading(between(a.implementHeading, b.implementHeading, share));
     state.speed = a.speed + t * (b.speed - a.speed);
+    if (a.level && b.level) {
+        // While the machine stands at a refill point, it changes with the time.
+        state.level = *a.level + (b.driven > a.driven ? share : t) * (*b.level - *a.level);
+    }
     state.curvature = a.curvature + share * (b.curvature - a.curvature);
     return state;
 }

@@ -21,6 +21,8 @@ struct DriveState {
     Angle implementHeading;
     Speed speed;
     Curvature curvature;
+    /// In the tank or bunker; empty if the plan does not follow it.
+    std::optional<double> level = {};
 };
 
 /// A plan as a drive that is looked at: where the machine is at any moment. The implement follows as in the

@@ -7,6 +7,7 @@
 #include "planner/path/lifted_legs.h"
 #include "planner/plan/finish_stage.h"
 #include "planner/plan/gate_legs.h"
+#include "planner/plan/refill_stage.h"
 #include "planner/plan/ways_room.h"
 
 #include <algorithm>
@@ -17,6 +18,9 @@
 namespace furrow {
 
 namespace {
+
+// Of the progress, where trips to refill points are planned after all else.
+constexpr double kWithoutTrips = 0.6;
 
 /// Headland passes before or after the swaths.
 std::vector<Leg> legsOf(const DriveTask& task) {
@@ -67,7 +71,7 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     if (!roomForWays) {
         return std::unexpected(roomForWays.error());
     }
-    const auto& [places, open, ground, room] = *roomForWays;
+    const auto& [places, refills, open, ground, room] = *roomForWays;
     const auto fitting = std::make_shared<FittingWays>(room->raised);
     const auto folded = std::make_shared<FittingWays>(room->folded);
     GateWays gates;
@@ -97,10 +101,15 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
     gates = addGateWays(legs, places, field, Rig{open, machine.folded()});
     const PathOverLegs path{task, ground, room->steering, ways, narrower, chosen, *leftOnPurpose};
-    auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8));
+    const double working = refills.empty() ? 1.0 : kWithoutTrips;
+    auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8 * working));
     if (driven) {
-        driven = finishStage(task, *std::move(driven), std::move(legs), path, ways, narrower, ground, toBeat,
-                             job.part(0.8, 1.0));
+        driven = finishStage(task, *std::move(driven), legs, path, ways, narrower, ground, toBeat,
+                             job.part(0.8 * working, working));
+    }
+    if (driven && !refills.empty() && !task.request.draft) {
+        driven = refillStage(task, *std::move(driven), legs, refills, path, fitting->rig(), toBeat,
+                             job.part(working, 1.0));
     }
     if (driven) {
         std::ranges::move(gates.findings, std::back_inserter(driven->findings));

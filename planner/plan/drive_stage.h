@@ -7,7 +7,7 @@
 namespace furrow {
 
 /// The driven plan: legs over headland and swaths in the order of the route, ways between them and at the
-/// gates, checks and audit, and short passes where too much is left.
+/// gates, checks and audit, short passes where too much is left, and trips to refill points.
 ///
 /// @param toBeat  the best plan so far. InputRefused: this one cannot be better.
 /// Errors: Usage, if start or end is no place. InputRefused. Cancelled.

@@ -282,9 +282,30 @@ std::optional<Message> ofProof(const Plan& plan) {
                      100.0 * (1.0 - 1.0 / (1.0 + gap)), 100.0 * (1.0 - 1.0 / (1.0 + plan.proof->gapTotal())));
 }
 
+/// How often the work is interrupted to fill the tank or to empty the bunker.
+std::optional<Message> ofTrips(const Plan& plan) {
+    const int refills = plan.path.refillCount();
+    if (refills == 0) {
+        return std::nullopt;
+    }
+    const double wayM = plan.path.length(SegmentKind::Refill).si();
+    const Duration stands = refills * plan.request.machine.spec().tank->fillTime();
+    const Message times = message("{} of standing", timeMessage(stands));
+    return plan.refill->work.gathers
+               ? counted("{} unloading, with {:.0f} m of way to it and back and {}.",
+                         "{} unloadings, with {:.0f} m of way to them and back and {}.", refills, wayM, times)
+               : counted("{} refill, with {:.0f} m of way to it and back and {}.",
+                         "{} refills, with {:.0f} m of way to them and back and {}.", refills, wayM, times);
+}
+
+/// One after the other, of those that are there.
+std::optional<Message> together(std::optional<Message> first, std::optional<Message> second) {
+    return first && second ? std::optional{*first + " " + *second} : first ? first : second;
+}
+
 Result<std::optional<Message>> whyOrder(const Plan& plan, const JobContext& job) {
     if (plan.route.steps.size() < 2) {
-        return std::nullopt;
+        return ofTrips(plan);
     }
     const auto costs = orderCosts(plan, job);
     if (!costs) {
@@ -293,7 +314,7 @@ Result<std::optional<Message>> whyOrder(const Plan& plan, const JobContext& job)
     const auto pattern =
         againstPattern(*costs, routeObjective(plan.request.settings), plan.proof.has_value());
     const auto proof = ofProof(plan);
-    return pattern && proof ? std::optional{*pattern + " " + *proof} : pattern ? pattern : proof;
+    return together(together(pattern, proof), ofTrips(plan));
 }
 
 // Turns.

@@ -93,7 +93,7 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
 
 }  // namespace
 
-Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
+Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg>& legs,
                            const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
                            const AllowedAreas& ground, std::optional<PlanToBeat> toBeat,
                            const JobContext& job) {

@@ -8,10 +8,11 @@ namespace furrow {
 /// leads to a pass, not even folded, the next round tries other passes.
 ///
 /// @param driven  the path over these legs, with its audit
+/// @param legs    those of the result, afterwards
 /// @param ground  the area for ways, gates open
 /// @param toBeat  the best plan so far. InputRefused: this one cannot be better.
 /// Cancelled.
-Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg> legs,
+Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg>& legs,
                            const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
                            const AllowedAreas& ground, std::optional<PlanToBeat> toBeat,
                            const JobContext& job);

@@ -37,22 +37,23 @@ PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, co
       leftOnPurpose_{leftOnPurpose},
       room_{room} {}
 
+std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const JobContext& job) const {
+    // A way that may leave the field keeps its kind but where it leads through an obstacle.
+    auto way =
+        task_.request.settings.flag(kStayInside) ? chosen_.between(from, to) : chosen_.anywhere(from, to);
+    return way ? way : ways_(from.line.end(), to.line.start, job);
+}
+
 Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Folding folding, bool& isWhole,
                                                 const JobContext& job) const {
     const Settings& settings = task_.request.settings;
     const Machine& machine = task_.request.machine;
-    const bool fits = settings.flag(kStayInside);
     std::atomic<bool> allFound{true};
     const auto wayBetween = [&](const Leg& from, const Leg& to, const JobContext& piece) {
         const Pose leaving = from.line.end();
         const Pose arriving = to.line.start;
-        // A way that may leave the field keeps its kind but where it leads through an obstacle.
-        auto way = fits ? chosen_.between(from, to) : chosen_.anywhere(from, to);
-        if (!way) {
-            way = ways_(leaving, arriving, piece);
-        }
-        if (way) {
-            return WayBetween{.line = *std::move(way)};
+        if (auto raised = way(from, to, piece)) {
+            return WayBetween{.line = *std::move(raised)};
         }
         if (folding == Folding::WhereNeeded) {
             if (auto narrow = folding_->folded(leaving, arriving, piece)) {
@@ -85,17 +86,20 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
     return withWaysBetween(std::move(legs), folding_->either, room_.lowered, *foldedParts, job);
 }
 
-Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, const JobContext& job) const {
+Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, bool mayReorder,
+                                              const JobContext& job) const {
     bool isWhole = true;
     auto all = joinedBy(legs, Folding::Never, isWhole, job.part(0.0, 0.75));
     if (!all || isWhole || !task_.request.settings.flag(kStayInside)) {
         return all;
     }
-    auto other = reordered(std::move(legs), job.withoutProgress());
-    if (!other) {
-        return std::unexpected(other.error());
+    if (mayReorder) {
+        auto other = reordered(std::move(legs), job.withoutProgress());
+        if (!other) {
+            return std::unexpected(other.error());
+        }
+        legs = *std::move(other);
     }
-    legs = *std::move(other);
     return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, isWhole,
                     job.part(0.75, 1.0));
 }
@@ -122,24 +126,43 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
 
 Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
                                    std::optional<PlanToBeat> toBeat, const JobContext& job) const {
+    return driveAs(legs, nullptr, std::move(finishing), toBeat, job);
+}
+
+Result<Driven> PathOverLegs::driveWithTrips(std::vector<Leg> legs, const RefillTrips& trips,
+                                            std::vector<HeadlandPass> finishing,
+                                            std::optional<PlanToBeat> toBeat, const JobContext& job) const {
+    return driveAs(legs, &trips, std::move(finishing), toBeat, job);
+}
+
+Result<Driven> PathOverLegs::driveAs(std::vector<Leg>& legs, const RefillTrips* trips,
+                                     std::vector<HeadlandPass> finishing, std::optional<PlanToBeat> toBeat,
+                                     const JobContext& job) const {
     Stopwatch watch;
     const PlanRequest& request = task_.request;
     const auto isSlower = [&](const Path& path, double share) {
         return toBeat && toBeat->isLostAfter(share * path.duration());
     };
-    const auto all = joined(legs, job.part(0.0, 0.4));
+    const auto all = joined(legs, trips == nullptr, job.part(0.0, 0.4));
     if (!all) {
         return std::unexpected(all.error());
     }
     if (toBeat && isSlower(withSpeeds(*all, request.machine, SteeringLimit::Ignored), kEasedShare)) {
         return std::unexpected(noBetter(*request.field));
     }
+    // What may leave the field in a draft is not eased within it, either.
+    const bool isSketch = request.draft && !request.settings.flag(kStayInside);
     auto path =
-        steerableLegs(*all, room_, job.withoutProgress()).transform([&](const std::vector<Leg>& eased) {
-            return withSpeeds(eased, request.machine);
-        });
+        isSketch
+            ? Result<Path>{withSpeeds(*all, request.machine, SteeringLimit::Ignored)}
+            : steerableLegs(*all, room_, job.withoutProgress()).transform([&](const std::vector<Leg>& eased) {
+                  return withSpeeds(eased, request.machine);
+              });
     if (!path) {
         return std::unexpected(path.error());
+    }
+    if (trips != nullptr) {
+        addLevels(*path, trips->work);
     }
     if (isSlower(*path, 1.0)) {
         return std::unexpected(noBetter(*request.field));
@@ -153,6 +176,7 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
                   .leftOnPurpose = leftOnPurpose_,
                   .audit = {},
                   .findings = *std::move(findings),
+                  .refill = trips != nullptr ? std::optional{*trips} : std::nullopt,
                   .leftBeforeFinishing = {},
                   .finishingCost = {},
                   .driving = watch.lap(),
@@ -175,7 +199,8 @@ Result<Driven> PathOverLegs::drive(std::vector<Leg>& legs, std::vector<HeadlandP
                                     .swaths = task_.laid.swaths,
                                     .route = task_.ordered.route,
                                     .path = driven.path,
-                                    .leftOnPurpose = driven.leftOnPurpose}),
+                                    .leftOnPurpose = driven.leftOnPurpose,
+                                    .refill = trips}),
                         job.part(0.6, 1.0));
     if (!report) {
         return std::unexpected(report.error());

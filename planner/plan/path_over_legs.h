@@ -49,10 +49,22 @@ public:
     Result<Driven> drive(std::vector<Leg>& legs, std::vector<HeadlandPass> finishing,
                          std::optional<PlanToBeat> toBeat, const JobContext& job) const;
 
+    /// The same with trips among the legs: they keep their order, and the path states the tank's level.
+    Result<Driven> driveWithTrips(std::vector<Leg> legs, const RefillTrips& trips,
+                                  std::vector<HeadlandPass> finishing, std::optional<PlanToBeat> toBeat,
+                                  const JobContext& job) const;
+
+    /// The way from one leg to another with the implement raised, as the path takes it. Empty if none fits.
+    std::optional<Curve> way(const Leg& from, const Leg& to, const JobContext& job) const;
+
 private:
     enum class Folding { Never, WhereNeeded };
 
-    Result<std::vector<Leg>> joined(std::vector<Leg>& legs, const JobContext& job) const;
+    Result<Driven> driveAs(std::vector<Leg>& legs, const RefillTrips* trips,
+                           std::vector<HeadlandPass> finishing, std::optional<PlanToBeat> toBeat,
+                           const JobContext& job) const;
+    /// @param mayReorder  whether the legs may get another order where no way leads
+    Result<std::vector<Leg>> joined(std::vector<Leg>& legs, bool mayReorder, const JobContext& job) const;
     /// @param isWhole  whether a way that fits was found everywhere
     Result<std::vector<Leg>> joinedBy(const std::vector<Leg>& legs, Folding folding, bool& isWhole,
                                       const JobContext& job) const;

@@ -129,7 +129,7 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
                                                 const std::shared_ptr<const Ground>& ground,
                                                 std::vector<Ring> round, std::optional<PlanToBeat> toBeat,
                                                 const JobContext& job) {
-    auto laid = laidOut(request, ground, std::move(round), job.part(0.0, 0.8));
+    auto laid = laidOut(request, ground, std::move(round), job.part(0.0, 0.2));
     if (!laid) {
         return std::unexpected(laid.error());
     }
@@ -137,7 +137,7 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
         cache_.orders.get(request, {ground, laid->laid, request.draft}, [&](const PlanRequest& asking) {
             const OrderTask task{
                 .request = asking, .ground = ground, .laid = *laid->laid, .rooms = cache_.rooms};
-            return timed(&StageTimings::route, [&] { return orderStage(task, job.part(0.8, 0.85)); });
+            return timed(&StageTimings::route, [&] { return orderStage(task, job.part(0.2, 0.4)); });
         });
     if (!ordered) {
         return std::unexpected(ordered.error());
@@ -150,7 +150,7 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
                                                              .laid = *laid->laid,
                                                              .ordered = **ordered,
                                                              .rooms = cache_.rooms};
-                                        auto made = driveStage(task, toBeat, job.part(0.85, 1.0));
+                                        auto made = driveStage(task, toBeat, job.part(0.4, 1.0));
                                         if (made) {
                                             add(&StageTimings::path, made->driving);
                                             add(&StageTimings::audit, made->auditing);

@@ -6,6 +6,7 @@
 #include "planner/headland/headland.h"
 #include "planner/path/finding.h"
 #include "planner/path/path.h"
+#include "planner/path/tank_levels.h"
 #include "planner/plan/plan_request.h"
 #include "planner/route/route.h"
 #include "planner/swaths/swath.h"
@@ -65,6 +66,14 @@ struct Ordered {
     Route route;
 };
 
+/// The tank or bunker that a path follows, and where it is filled or emptied.
+struct RefillTrips {
+    TankWork work;
+    std::vector<Point> points;
+
+    friend bool operator==(const RefillTrips&, const RefillTrips&) = default;
+};
+
 /// The path over all of it, and what is found along it.
 struct Driven {
     Path path;
@@ -74,10 +83,11 @@ struct Driven {
     MultiPolygon leftOnPurpose;
     AuditReport audit;  ///< empty of a draft
     std::vector<Finding> findings;
-    Area leftBeforeFinishing;  ///< within reach; none where no finishing passes were needed
-    Duration finishingCost;    ///< what they added to the time for all
-    Duration driving;          ///< wall time for the path
-    Duration auditing;         ///< and for its audits
+    std::optional<RefillTrips> refill = {};  ///< if refill points are given and the work needs a tank
+    Area leftBeforeFinishing;                ///< within reach; none where no finishing passes were needed
+    Duration finishingCost;                  ///< what they added to the time for all
+    Duration driving;                        ///< wall time for the path
+    Duration auditing;                       ///< and for its audits
 };
 
 }  // namespace furrow

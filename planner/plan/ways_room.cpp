@@ -39,7 +39,13 @@ Result<WaysRoom> waysRoom(DrivingRooms& known, const PlanRequest& request,
     if (!places) {
         return std::unexpected(places.error());
     }
-    auto open = withOpenGates(ground->drivable, *request.field, *places, job);
+    auto refills = routePlaces(*request.field, request.settings, kRouteRefill);
+    if (!refills) {
+        return std::unexpected(refills.error());
+    }
+    std::vector<std::optional<RoutePlace>> entered{places->begin(), places->end()};
+    entered.insert(entered.end(), refills->begin(), refills->end());
+    auto open = withOpenGates(ground->drivable, *request.field, entered, job);
     if (!open) {
         return std::unexpected(open.error());
     }
@@ -51,7 +57,8 @@ Result<WaysRoom> waysRoom(DrivingRooms& known, const PlanRequest& request,
     if (!room) {
         return std::unexpected(room.error());
     }
-    return WaysRoom{*std::move(places), *std::move(open), *std::move(forWays), *std::move(room)};
+    return WaysRoom{*std::move(places), *std::move(refills), *std::move(open), *std::move(forWays),
+                    *std::move(room)};
 }
 
 }  // namespace furrow

@@ -4,7 +4,7 @@ namespace furrow {
 
 bool isText(ParameterKind kind) {
     return kind == ParameterKind::Line || kind == ParameterKind::Lines || kind == ParameterKind::File ||
-           kind == ParameterKind::Place || kind == ParameterKind::Numbers;
+           kind == ParameterKind::Place || kind == ParameterKind::Places || kind == ParameterKind::Numbers;
 }
 
 SettingValue Parameter::defaultValue() const {

@@ -20,6 +20,7 @@ enum class ParameterKind {
     Lines,    ///< several of them: "MULTILINESTRING (...)", "GEOMETRYCOLLECTION (...)" or one LINESTRING
     File,     ///< the path of a file; empty where there is none
     Place,    ///< the name of a gate, or a point as WKT; empty where there is none
+    Places,   ///< several of them, divided by semicolons, or one "MULTIPOINT (...)"
     Numbers,  ///< whole numbers divided by commas: "3,-1,2"; empty where there are none
 };
 

@@ -3,6 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/wkt.h"
 #include "planner/settings/operation.h"
+#include "planner/settings/places.h"
 
 #include <algorithm>
 #include <charconv>
@@ -148,6 +149,9 @@ std::optional<Message> wantedInstead(const Parameter& parameter, const SettingVa
         case ParameterKind::File: return unless(text != nullptr, "the path of a file");
         case ParameterKind::Place:
             return unless(text != nullptr, "the name of a gate or a point in WGS84 such as POINT (4.1 52.0)");
+        case ParameterKind::Places:
+            return unless(text != nullptr && givenPlaces(*text).has_value(),
+                          "names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))");
         case ParameterKind::Line:
             return unless(text != nullptr && parsedLine(*text).has_value(),
                           "a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)");
@@ -218,6 +222,7 @@ Result<void> Settings::setText(const Parameter& parameter, std::string_view text
         case ParameterKind::Lines:
         case ParameterKind::File:
         case ParameterKind::Place:
+        case ParameterKind::Places:
         case ParameterKind::Numbers: return set(parameter, std::string{text});
         case ParameterKind::Flag:
             if (text == "true" || text == "false") {

@@ -66,7 +66,7 @@ public:
     std::vector<std::vector<GeoPoint>> lines(const Parameter& parameter) const;
     /// A file's path as it was given.
     std::string file(const Parameter& parameter) const;
-    /// A gate's name or a point as WKT, as it was given.
+    /// Names of gates or points as WKT, as they were given.
     std::string place(const Parameter& parameter) const;
     std::vector<int> numbers(const Parameter& parameter) const;
 

@@ -224,6 +224,8 @@ void addPath(const Path& path, OrderSheet& sheet) {
     std::ranges::stable_sort(sheet.turns, std::greater{}, &SheetTurns::count);
     sheet.start = path.segments.front().samples.front().position;
     sheet.end = path.segments.back().samples.back().position;
+    sheet.figures.refills = path.refillCount();
+    sheet.figures.refillWay = path.length(SegmentKind::Refill);
     sheet.figures.workingTime = path.workedDuration();
     sheet.figures.fuelLitres = fuelLitres(sheet.machine, sheet.figures.workingTime, sheet.figures.time);
 }

@@ -80,6 +80,8 @@ struct SheetFigures {
     int headlandPasses = 0;
     Length margin;
     int swaths = 0;
+    int refills = 0;   ///< stops to fill the tank or to empty the bunker
+    Length refillWay;  ///< to the refill points and back
 };
 
 /// What stands on the work order of one plan.

@@ -404,16 +404,36 @@ private slots:
         QVERIFY2(told.status == 0, told.all());
         QVERIFY(!told.json().isEmpty());
         const QList<QByteArray> lines = told.error.trimmed().split('\n');
-        QVERIFY2(lines.first().startsWith("first plan after "), told.all());
-        QVERIFY2(lines.first().contains(", a draft: "), told.all());
         QCOMPARE(lines.last(), QByteArray{"progress 100 %"});
         int before = 0;
-        for (const QByteArray& line : lines.mid(1)) {
-            QVERIFY2(line.startsWith("progress ") && line.endsWith(" %"), told.all());
-            const int percent = line.mid(9).chopped(2).toInt();
-            QVERIFY2(percent > before && percent <= 100, told.all());
-            before = percent;
+        int values = 0;
+        int compared = 0;
+        int drafts = 0;
+        int asked = 0;
+        for (const QByteArray& line : lines) {
+            if (line.startsWith("first plan after ")) {
+                // Before all planning: a tenth of the work is reading.
+                QVERIFY2(line.contains(", a draft: ") && before <= 10 && asked == 0, told.all());
+                ++drafts;
+            } else if (line.startsWith("plan as asked after ")) {
+                QVERIFY2(line.contains(" swaths · ") && compared == 0, told.all());
+                ++asked;
+            } else if (line.startsWith("compared ")) {
+                QVERIFY2(line.startsWith("compared " + QByteArray::number(++compared) + " of "), told.all());
+                QVERIFY2(line.split(' ').last().toInt() >= compared, told.all());
+            } else {
+                QVERIFY2(line.startsWith("progress ") && line.endsWith(" %"), told.all());
+                const int percent = line.mid(9).chopped(2).toInt();
+                QVERIFY2(percent > before && percent <= 100, told.all());
+                before = percent;
+                ++values;
+            }
         }
+        QCOMPARE(drafts, 1);
+        QCOMPARE(asked, 1);
+        // The kinds of corner are compared at the least.
+        QVERIFY2(compared >= 1, told.all());
+        QVERIFY2(values > 20, told.all());
         // The draft is to look at: what is written is the plan.
         const Answer silent =
             furrowCli({"plan", sampleField("home_field"), "--out", folder.filePath("silent"), "--quiet"});

@@ -7,7 +7,9 @@
 #include "planner/io/import/field_reader.h"
 #include "planner/io/plan_files/plan_json.h"
 #include "planner/machine/machine_file.h"
+#include "planner/path/refill_stops.h"
 #include "planner/plan/general_parameters.h"
+#include "planner/settings/operation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -114,6 +116,10 @@ public:
                     MultiPolygon read = polygonsOf(geometry, frame_);
                     overhung = overhung.value_or(MultiPolygon{});
                     std::ranges::move(read, std::back_inserter(*overhung));
+                } else if (kind == "refill_point") {
+                    const Json& place = geometry.at("coordinates");
+                    refillPoints.push_back(
+                        frame_.toLocal({place.at(0).get<double>(), place.at(1).get<double>()}));
                 } else if (kind == "headland") {
                     hasHeadland = true;
                 }
@@ -136,6 +142,7 @@ public:
     MultiPolygon mainland;
     MultiPolygon leftOnPurpose;
     std::optional<MultiPolygon> overhung;
+    std::vector<Point> refillPoints;
     bool hasHeadland = false;
 
 private:
@@ -224,6 +231,13 @@ Result<void> readSummary(const fs::path& path, WrittenPlan& plan) {
         return std::unexpected(machine.error());
     }
     plan.machine = std::move(*machine);
+    const auto driven = summary->find("path");
+    if (driven != summary->end() && driven->contains("refills")) {
+        const auto use = summary->find("tank");
+        plan.tank = AuditTank{.gathers = use != summary->end() && *use == tankUseId(TankUse::Fills),
+                              .points = {},
+                              .reach = refillReach(*plan.machine)};
+    }
     const auto settings = summary->find("settings");
     if (settings == summary->end() || !settings->is_object()) {
         return {};
@@ -316,6 +330,9 @@ Result<WrittenPlan> readPlan(const fs::path& path, const JobContext& job) {
     }
     plan.leftOnPurpose = std::move(features.leftOnPurpose);
     plan.overhung = std::move(features.overhung);
+    if (plan.tank) {
+        plan.tank->points = std::move(features.refillPoints);
+    }
     if (features.hasHeadland && !features.mainland.empty() && !headlandDriven) {
         plan.mainland = std::move(features.mainland);
     }
@@ -333,6 +350,7 @@ AuditInput auditInput(const WrittenPlan& plan) {
             .mainland = plan.mainland,
             .margin = plan.margin,
             .leftOnPurpose = plan.leftOnPurpose,
+            .tank = plan.tank,
             .mayLeaveField = plan.mayLeaveField,
             .statedMotion = plan.statedMotion,
             .positionRounding = plan.positionRounding};

@@ -25,6 +25,7 @@ struct WrittenPlan {
     Length margin;
     MultiPolygon leftOnPurpose;
     std::optional<MultiPolygon> overhung;  ///< as of AuditInput
+    std::optional<AuditTank> tank;         ///< whose level path.csv states
     bool mayLeaveField = false;
     bool statedMotion = true;  ///< headings, speeds and times were read, not only lines
     Length positionRounding;

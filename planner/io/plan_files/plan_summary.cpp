@@ -125,6 +125,12 @@ Json pathJson(const Plan& plan) {
         json["folded_ways"] = folded.size();
         json["folding_time_s"] = foldingTime(plan.path.segments, plan.request.machine).si();
     }
+    if (plan.refill) {
+        const int refills = plan.path.refillCount();
+        json["refills"] = refills;
+        json["refill_length_m"] = plan.path.length(SegmentKind::Refill).si();
+        json["refill_time_s"] = refills * plan.request.machine.spec().tank->fillTime().si();
+    }
     return json;
 }
 

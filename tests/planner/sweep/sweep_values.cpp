@@ -155,7 +155,8 @@ std::vector<SweepValue> texts(const Parameter& parameter, std::string_view metho
     switch (parameter.kind) {
         case ParameterKind::Line: return lines(method);
         case ParameterKind::Lines: return splits();
-        case ParameterKind::Place: return places();
+        case ParameterKind::Place:
+        case ParameterKind::Places: return places();
         case ParameterKind::Numbers: return {fixedValue("2"), fixedValue("1,3")};
         default: return {};
     }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <format>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -32,6 +33,8 @@ enum Column {
 constexpr std::array<std::string_view, kNumbers + 1> kColumns = {
     "s_m",   "t_s",    "x_m", "y_m", "heading_rad", "curvature_1pm", "speed_mps", "gear", "implement_down",
     "order", "segment"};
+// Plans that follow no tank leave it empty, and other programs may leave it out.
+constexpr std::string_view kLevel = "level";
 
 class PathTable {
 public:
@@ -47,6 +50,7 @@ public:
             }
             at_[i] = static_cast<std::size_t>(found - names.begin());
         }
+        level_ = static_cast<std::size_t>(std::ranges::find(names, kLevel) - names.begin());
         return {};
     }
 
@@ -62,6 +66,12 @@ public:
                     damagedPlan(place, message("{} is '{}', which is no number", kColumns[i], cell)));
             }
         }
+        const std::string_view held = level_ < cells.size() ? cells[level_] : std::string_view{};
+        const auto level = numberOrNone(held);
+        if (!level) {
+            return std::unexpected(
+                damagedPlan(place, message("{} is '{}', which is no number", kLevel, held)));
+        }
         const std::string_view kindId = at_[kKind] < cells.size() ? cells[at_[kKind]] : std::string_view{};
         const auto kind = segmentKindFrom(kindId);
         if (!kind) {
@@ -69,6 +79,11 @@ public:
         }
         if (path.segments.empty() || value[kOrder] != order_) {
             order_ = value[kOrder];
+            if (!path.segments.empty()) {
+                // Between two segments it changes only where the machine stands at a refill point.
+                PathSegment& before = path.segments.back();
+                before.refills = before.samples.back().level != *level;
+            }
             path.segments.push_back({.kind = *kind,
                                      .gear = value[kGear] < 0.0 ? Gear::Reverse : Gear::Forward,
                                      .implementDown = value[kDown] != 0.0});
@@ -78,14 +93,28 @@ public:
                                                 .position = {value[kX], value[kY]},
                                                 .headingRad = value[kHeading],
                                                 .curvature1pm = value[kCurvature],
-                                                .speedMps = value[kSpeed]});
+                                                .speedMps = value[kSpeed],
+                                                .level = *level});
         return {};
     }
 
     Path path;
 
 private:
+    /// Nothing where there is no text; an error where it is no number.
+    static std::optional<std::optional<double>> numberOrNone(std::string_view text) {
+        double number = 0.0;
+        if (text.empty()) {
+            return std::optional<double>{};
+        }
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number)
+                   ? std::optional{std::optional{number}}
+                   : std::nullopt;
+    }
+
     const std::string& where_;
+    std::size_t level_ = 0;
     std::array<std::size_t, kColumns.size()> at_{};
     double order_ = 0.0;
 };
@@ -107,11 +136,12 @@ std::string pathCsv(const Plan& plan) {
         const GeoRing places = plan.field().frame().toGeo(line);
         for (std::size_t i = 0; i < segment.samples.size(); ++i) {
             const PathSample& sample = segment.samples[i];
-            std::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},0,\n", sample.sM, sample.tS,
+            const std::string level = sample.level ? std::format("{}", *sample.level) : std::string{};
+            std::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},0,{}\n", sample.sM, sample.tS,
                            sample.position.x, sample.position.y, places[i].lonDeg, places[i].latDeg,
                            sample.headingRad, sample.curvature1pm, sample.speedMps,
                            static_cast<int>(segment.gear), segment.implementDown ? 1 : 0,
-                           segmentKindId(segment.kind), order);
+                           segmentKindId(segment.kind), order, level);
         }
     }
     return text;

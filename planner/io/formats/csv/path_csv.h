@@ -13,7 +13,8 @@ namespace furrow {
 std::string pathCsv(const Plan& plan);
 
 /// The path again, from such a table: columns by their names, in any order; places in its local frame. What
-/// the table does not hold is left as it is made: names of turns, swath numbers, what cannot be driven.
+/// the table does not hold is left as it is made: names of turns, swath numbers, what cannot be driven. A
+/// segment refills if the level after it differs.
 ///
 /// @param where  the file, for messages
 /// @return at least one segment, each with at least two samples. InputRefused, naming the line: a column is

@@ -30,6 +30,7 @@ public:
         if (plan_.overhung) {
             addAreas("overhung", *plan_.overhung);
         }
+        addRefillPoints();
         addMissed();
         addFindings();
         return geoJsonText(std::move(features_));
@@ -127,6 +128,9 @@ private:
             if (segment.folded) {
                 properties["folded"] = true;
             }
+            if (segment.refills) {
+                properties["refills"] = true;
+            }
             properties["machine"] = 0;
             properties["drivable"] = segment.drivable;
             if (!segment.drivable) {
@@ -185,6 +189,14 @@ private:
             std::ranges::move(best, std::back_inserter(written));
         }
         return written;
+    }
+
+    void addRefillPoints() {
+        if (plan_.refill) {
+            for (const Point& point : plan_.refill->points) {
+                add("refill_point", Json::object(), pointGeometry(frame_.toGeo(point)));
+            }
+        }
     }
 
     void addMissed() {
