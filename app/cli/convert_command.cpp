@@ -6,14 +6,19 @@
 #include "planner/io/delivery/field_files.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/field_reader.h"
+#include "planner/io/import/track_reader.h"
+#include "planner/track/track_outline.h"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <format>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <print>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,16 +33,55 @@ struct ConvertArguments {
     std::string out;
     std::optional<std::string> format;
     std::optional<std::string> fieldId;
+    std::string fromTrack;  ///< empty: boundaries are read
+    double widthM = 6.0;
+    double beyondM = 0.0;
+    std::optional<double> gapM;
     ExportOptions options;
     bool json = false;
 };
+
+constexpr std::string_view kTrackKinds[] = {"auto", "round", "worked"};
+
+/// The land that a recorded track goes around, or was worked along.
+Result<ImportedFields> fieldsFromTrack(const ConvertArguments& arguments, const JobContext& job) {
+    const auto file = readTracks(arguments.in, job);
+    if (!file) {
+        return std::unexpected(file.error());
+    }
+    TrackOutlineOptions options{.width = metres(arguments.widthM), .beyond = metres(arguments.beyondM)};
+    if (arguments.fromTrack != kTrackKinds[0]) {
+        options.kind = arguments.fromTrack == kTrackKinds[1] ? TrackKind::Round : TrackKind::Worked;
+    }
+    if (arguments.gapM) {
+        options.gap = metres(*arguments.gapM);
+    }
+    const auto outline = outlineOfTracks(file->tracks, options, job);
+    if (!outline) {
+        return std::unexpected(outline.error());
+    }
+    const std::filesystem::path path{arguments.in};
+    ImportedFields imported;
+    imported.notes = file->notes;
+    imported.notes.push_back({.text = outline->kind == TrackKind::Round
+                                          ? Message{"The track was driven around the field."}
+                                          : Message{"The field was worked along the track."},
+                              .where = {},
+                              .place = {}});
+    imported.notes.insert(imported.notes.end(), outline->notes.begin(), outline->notes.end());
+    for (FieldSource& field : fieldsOf(*outline, path.stem().string(), path.filename().string())) {
+        imported.fields.push_back({.field = std::move(field)});
+    }
+    return imported;
+}
 
 /// What is read, checked and repaired; what is refused is left out, as long as something remains, and named
 /// in `leftOut`.
 Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
                                              std::vector<std::string>& notes,
                                              std::vector<std::string>& leftOut, const JobContext& job) {
-    auto imported = readFields(arguments.in, job);
+    auto imported =
+        arguments.fromTrack.empty() ? readFields(arguments.in, job) : fieldsFromTrack(arguments, job);
     if (!imported) {
         return std::unexpected(imported.error());
     }
@@ -167,6 +211,22 @@ void addConvertCommand(CLI::App& app, std::function<int()>& run) {
     convert->add_option("--format", arguments->format, "The format, where the name of OUT does not say it");
     convert->add_option("--field-id", arguments->fieldId,
                         "One field: its id, its name, or its number from 1");
+    CLI::Option* track =
+        convert
+            ->add_option(
+                "--from-track", arguments->fromTrack,
+                "IN is a recorded track: 'round', driven around the field; 'worked', over all of it; "
+                "'auto', as it looks")
+            ->check(CLI::IsMember(std::vector<std::string>(std::begin(kTrackKinds), std::end(kTrackKinds))));
+    convert->add_option("--width", arguments->widthM, "Operating width on that track, m (6)")->needs(track);
+    convert
+        ->add_option("--beyond", arguments->beyondM,
+                     "How far the edge lies outside of a track around the field, m (0)")
+        ->needs(track);
+    convert
+        ->add_option("--gap", arguments->gapM,
+                     "Gaps between strips up to this belong to worked land, m (one width)")
+        ->needs(track);
     addExportOptions(*convert, arguments->options, false);
     convert->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
     convert->footer(
@@ -174,6 +234,7 @@ void addConvertCommand(CLI::App& app, std::function<int()>& run) {
         "  furrow-cli convert field.kml field.geojson\n"
         "  furrow-cli convert TASKDATA fields.gpkg\n"
         "  furrow-cli convert farm.shp TASKDATA --format isoxml-v3\n"
+        "  furrow-cli convert drive.gpx field.geojson --from-track auto --width 24\n"
         "\n"
         "Exit status: 0 all fields are written, 1 some are left out and named on standard error,\n"
         "2 wrong usage, 3 input refused, 4 could not read or write, 130 cancelled.");

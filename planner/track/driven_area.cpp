@@ -1,6 +1,7 @@
 #include "planner/track/driven_area.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/track/driven_strips.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,21 +24,12 @@ bool wasDown(const TrackSample& sample, const std::optional<TrackMatch>& match) 
     return match && (match->kind == SegmentKind::Swath || match->kind == SegmentKind::HeadlandPass);
 }
 
-Polygon counterClockwise(Ring ring) {
-    if (signedAreaM2(ring) < 0.0) {
-        std::ranges::reverse(ring);
-    }
-    return {.outer = std::move(ring), .holes = {}};
-}
-
 /// The strips of one track.
 void addStrips(MultiPolygon& strips, const RecordedTrack& track, const Ring& places,
                const std::vector<std::optional<TrackMatch>>& matches, double halfM) {
-    std::optional<std::pair<Point, Point>> before;  // where the last strip ended, and to its left
-    Point from = places.front();
+    Polyline worked{places.front()};  // without a break
     for (std::size_t i = 1; i < places.size(); ++i) {
-        const Point way = places[i] - from;
-        const double length = std::hypot(way.x, way.y);
+        const double length = std::hypot(places[i].x - worked.back().x, places[i].y - worked.back().y);
         if (length < kLeastStepM) {
             continue;
         }
@@ -46,23 +38,12 @@ void addStrips(MultiPolygon& strips, const RecordedTrack& track, const Ring& pla
         const bool oneStretch =
             matches[i - 1] && matches[i] && matches[i - 1]->segment == matches[i]->segment;
         if (!down || (length > kLongestStepM && !oneStretch)) {
-            before.reset();
-            from = places[i];
-            continue;
+            addStripsAlong(strips, worked, halfM);
+            worked.clear();
         }
-        const Point left{-way.y * halfM / length, way.x * halfM / length};
-        strips.push_back(counterClockwise({from + left, from - left, places[i] - left, places[i] + left}));
-        if (before) {
-            for (const double side : {1.0, -1.0}) {
-                Polygon wedge = counterClockwise({from, from + side * before->second, from + side * left});
-                if (std::abs(signedAreaM2(wedge.outer)) > 1e-6) {
-                    strips.push_back(std::move(wedge));
-                }
-            }
-        }
-        before = std::pair{places[i], left};
-        from = places[i];
+        worked.push_back(places[i]);
     }
+    addStripsAlong(strips, worked, halfM);
 }
 
 }  // namespace

@@ -13,6 +13,30 @@ class ConvertCliTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The path of a plan is a track, and gives its field back.
+    void fromATrack() {
+        const QTemporaryDir folder;
+        const Answer planned = furrowCli({"plan", sampleField("slanted_field"), "--machine", "cultivator",
+                                          "--out", folder.path(), "--format", "gpx", "--quiet"});
+        QVERIFY2(planned.status <= 1, planned.all().constData());
+        const QString track = folder.filePath("path.gpx");
+        const Answer answer = furrowCli({"convert", track, folder.filePath("field.geojson"), "--from-track",
+                                         "auto", "--width", "6", "--json"});
+        QVERIFY2(answer.status == 0, answer.all().constData());
+        const QJsonObject told = answer.json();
+        QCOMPARE(told["fields"].toArray().size(), 1);
+        QVERIFY(told["notes"].toArray().contains("The field was worked along the track."));
+        // 5.40 ha, as the field's own file says.
+        const double area = told["fields"][0]["area_m2"].toDouble();
+        QVERIFY2(std::abs(area - 54'000.0) < 0.02 * 54'000.0, qPrintable(QString::number(area)));
+        const Answer wide = furrowCli(
+            {"convert", track, folder.filePath("x.geojson"), "--from-track", "auto", "--width", "0"});
+        QCOMPARE(wide.status, 3);
+        QVERIFY2(wide.error.contains("out of range"), wide.error.constData());
+        // Without saying what it is for, options of it mean nothing.
+        QCOMPARE(furrowCli({"convert", track, folder.filePath("x.geojson"), "--width", "6"}).status, 2);
+    }
+
     void convertsByName_data() {
         QTest::addColumn<QString>("out");
         QTest::addColumn<QStringList>("options");

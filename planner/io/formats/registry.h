@@ -37,6 +37,7 @@ struct Format {
     struct Writing {
         FormatWriter* write = nullptr;  ///< of plans
         bool fieldsAlone = false;       ///< also of fields without a plan
+        bool fieldsTogether = false;    ///< receivers look for all fields in one set of files
         std::string_view folder = {};   ///< of a plan's folder, where it goes; empty for its top
         ContentFinder* find = nullptr;  ///< of all that is written
         CarriedContent content = {};

@@ -22,8 +22,8 @@ namespace {
 
 // Of a written plan's features; a file of others may use the attribute for something else.
 constexpr std::string_view kKinds[] = {
-    "field", "obstacle", "gate",    "headland", "mainland",        "cell",     "headland_pass", "swath",
-    "path",  "missed",   "finding", "guidance", "left_on_purpose", "overhung", "hole"};
+    "field",  "obstacle", "gate",     "headland",        "mainland", "cell", "headland_pass", "swath", "path",
+    "missed", "finding",  "guidance", "left_on_purpose", "overhung", "hole", "refill_point"};
 
 // Of a drawing's layers, in capitals or not.
 constexpr std::pair<std::string_view, std::string_view> kDrawingLayers[] = {

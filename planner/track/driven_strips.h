@@ -1,0 +1,14 @@
+#pragma once
+
+#include "planner/geometry/polygon.h"
+
+namespace furrow {
+
+// Internal to what is worked out from recorded drives.
+
+/// The land beside a line, `halfM` to each side, as pieces that may overlap: a rectangle for each step and
+/// the wedge outside of each bend. It ends square, without anything beyond the line's ends. Steps shorter
+/// than a millimetre are passed over. Cost: linear.
+void addStripsAlong(MultiPolygon& strips, const Polyline& line, double halfM);
+
+}  // namespace furrow
