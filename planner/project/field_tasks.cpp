@@ -3,6 +3,7 @@
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/guide_import.h"
 #include "planner/machine/machine_library.h"
+#include "planner/plan/advice.h"
 #include "planner/project/project_file.h"
 
 #include <algorithm>
@@ -139,6 +140,13 @@ Result<std::shared_ptr<const Plan>> planOfSource(const FieldSource& source, cons
             return planRequest(std::make_shared<const Field>(std::move(field)), machine, settings, job);
         })
         .and_then([&job](const PlanRequest& request) { return makePlan(request, job.part(0.1, 1.0)); });
+}
+
+Result<std::shared_ptr<const Plan>> advisedPlanOfSource(const FieldSource& source, const Machine& machine,
+                                                        const Settings& settings, const JobContext& job) {
+    return planOfSource(source, machine, settings, job.part(0.0, 0.9)).and_then([&job](const auto& plan) {
+        return withAdvice(plan, job.part(0.9, 1.0));
+    });
 }
 
 }  // namespace furrow

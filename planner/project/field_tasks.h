@@ -51,4 +51,8 @@ Result<PlanRequest> planRequest(std::shared_ptr<const Field> field, const Machin
 Result<std::shared_ptr<const Plan>> planOfSource(const FieldSource& source, const Machine& machine,
                                                  const Settings& settings, const JobContext& job);
 
+/// The same with advice for what blocks it, as it leaves the program. Errors: those of planOfSource.
+Result<std::shared_ptr<const Plan>> advisedPlanOfSource(const FieldSource& source, const Machine& machine,
+                                                        const Settings& settings, const JobContext& job);
+
 }  // namespace furrow

@@ -22,12 +22,22 @@ const PlanResult* PlanResults::find(const std::string& planKey) const {
     return found == results_.end() ? nullptr : &found->second.result;
 }
 
-void PlanResults::keep(const std::string& planKey, const PlanResult& result) {
-    results_[planKey] = {.result = result, .age = next_++};
+void PlanResults::keep(const std::string& planKey, const PlanResult& result, const std::string& place) {
+    results_[planKey] = {.result = result, .place = place, .age = next_++};
     if (results_.size() > kMost) {
         results_.erase(
             std::ranges::min_element(results_, {}, [](const auto& entry) { return entry.second.age; }));
     }
+}
+
+std::set<std::string> PlanResults::places() const {
+    std::set<std::string> places;
+    for (const auto& [key, kept] : results_) {
+        if (!kept.place.empty()) {
+            places.insert(kept.place);
+        }
+    }
+    return places;
 }
 
 std::string PlanResults::json() const {
@@ -38,12 +48,13 @@ std::string PlanResults::json() const {
     std::ranges::sort(byAge);
     OrderedJson list = OrderedJson::array();
     for (const auto& [age, key] : byAge) {
-        const PlanResult& result = results_.find(*key)->second.result;
+        const auto& [result, place, number] = results_.find(*key)->second;
         list.push_back({{"plan_key", *key},
                         {"area_m2", result.area.si()},
                         {"duration_s", result.duration.si()},
                         {"length_m", result.length.si()},
-                        {"blocking", result.blocking}});
+                        {"blocking", result.blocking},
+                        {"place", place}});
     }
     return textOf({{"version", kVersion}, {"results", list}});
 }
@@ -60,7 +71,8 @@ PlanResults PlanResults::fromJson(std::string_view text) {
                          {.area = squareMetres(entry.at("area_m2").get<double>()),
                           .duration = seconds(entry.at("duration_s").get<double>()),
                           .length = metres(entry.at("length_m").get<double>()),
-                          .blocking = entry.at("blocking").get<int>()});
+                          .blocking = entry.at("blocking").get<int>()},
+                         entry.value("place", std::string{}));
         }
     } catch (const OrderedJson::exception&) {
         return {};

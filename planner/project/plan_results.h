@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -30,7 +31,12 @@ public:
     /// Null where there is none.
     const PlanResult* find(const std::string& planKey) const;
     /// The latest `kMost` are kept.
-    void keep(const std::string& planKey, const PlanResult& result);
+    ///
+    /// @param place  which plan of which field it is, whatever it was planned from; the same after a change
+    /// of the inputs. Empty for none
+    void keep(const std::string& planKey, const PlanResult& result, const std::string& place = {});
+    /// The places of all that are kept.
+    std::set<std::string> places() const;
     std::size_t size() const { return results_.size(); }
 
     std::string json() const;
@@ -43,6 +49,7 @@ public:
 private:
     struct Kept {
         PlanResult result;
+        std::string place;
         std::size_t age = 0;
     };
     std::map<std::string, Kept, std::less<>> results_;

@@ -80,10 +80,10 @@ FieldPlan planForAnotherField(const FieldPlan& plan) {
     next.order = orderForAnotherPlan(plan.order);
     next.others.clear();
     for (const Parameter* parameter : allParameters()) {
-        const bool namesPlaces = parameter->kind == ParameterKind::Line ||
-                                 parameter->kind == ParameterKind::Lines ||
-                                 parameter->kind == ParameterKind::Place ||
-                                 parameter->kind == ParameterKind::Numbers || parameter->key == "swaths.edge";
+        const bool namesPlaces =
+            parameter->kind == ParameterKind::Line || parameter->kind == ParameterKind::Lines ||
+            parameter->kind == ParameterKind::Place || parameter->kind == ParameterKind::Places ||
+            parameter->kind == ParameterKind::Numbers || parameter->key == "swaths.edge";
         if (!namesPlaces || !next.settings.isSet(*parameter)) {
             continue;
         }

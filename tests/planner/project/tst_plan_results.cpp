@@ -51,6 +51,26 @@ private slots:
         QVERIFY(read.find("c") == nullptr);
     }
 
+    void whereTheyBelong() {
+        PlanResults results;
+        results.keep("a", result(2.5), "field-1");
+        results.keep("b", result(0.1), "field-2");
+        results.keep("c", result(0.1), "field-2");
+        results.keep("d", result(0.1));
+        const std::set<std::string> wanted{"field-1", "field-2"};
+        QVERIFY(results.places() == wanted);
+        QVERIFY(PlanResults::fromJson(results.json()).places() == wanted);
+        // As it was written before there were places.
+        std::string older = results.json();
+        for (std::size_t at = older.find(",\"place\""); at != std::string::npos;
+             at = older.find(",\"place\"")) {
+            older.erase(at, older.find('}', at) - at);
+        }
+        const PlanResults read = PlanResults::fromJson(older);
+        QCOMPARE(read.size(), std::size_t{4});
+        QVERIFY(read.places().empty());
+    }
+
     void whatIsDamagedIsForgotten() {
         PlanResults results;
         results.keep("a", result(2.5));
