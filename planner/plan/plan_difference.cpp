@@ -1,6 +1,8 @@
 #include "planner/plan/plan_difference.h"
 
+#include "planner/geometry/box_tree.h"
 #include "planner/geometry/curve.h"
+#include "planner/geometry/segment.h"
 #include "planner/plan/method_registry.h"
 
 #include <algorithm>
@@ -36,16 +38,139 @@ std::vector<std::size_t> onlyIn(const SwathSet& set, const SwathSet& other) {
     return only;
 }
 
+struct Edge {
+    Point from;
+    Point to;
+};
+
+bool isWorkedPass(const PathSegment& segment) {
+    return segment.kind == SegmentKind::HeadlandPass;
+}
+
+/// The headland passes of a path, or its ways between worked lines, to be asked what lies there.
+class DrivenLines {
+public:
+    DrivenLines(const Path& path, bool worked) {
+        std::vector<Bounds> boxes;
+        for (const PathSegment& segment : path.segments) {
+            if (segment.kind == SegmentKind::Swath || isWorkedPass(segment) != worked) {
+                continue;
+            }
+            for (std::size_t i = 1; i < segment.samples.size(); ++i) {
+                const Point a = segment.samples[i - 1].position;
+                const Point b = segment.samples[i].position;
+                if (distance(a, b) > 0.0) {
+                    edges_.push_back({a, b});
+                    boxes.push_back(
+                        {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+                }
+            }
+        }
+        tree_ = BoxTree{boxes};
+    }
+
+    /// One of them lies here and runs along.
+    bool has(Point place, Point way) const {
+        // What crosses at more than this is another line. A bend's chords differ by less.
+        constexpr double kSineOfAlong = 0.25;
+        return tree_.any([place](const Bounds& box) { return distanceM(place, box) <= kSamePlaceM; },
+                         [&](std::size_t i) {
+                             const Edge& edge = edges_[i];
+                             const Point along = edge.to - edge.from;
+                             return distanceToSegment(place, edge.from, edge.to) <= kSamePlaceM &&
+                                    std::abs(cross(along, way)) <= kSineOfAlong * norm(along) * norm(way);
+                         });
+    }
+
+private:
+    std::vector<Edge> edges_;
+    BoxTree tree_;
+};
+
+/// Collects stretches as the path is gone along.
+class Stretches {
+public:
+    void add(bool worked, Point from, Point to) {
+        const bool goesOn = !all_.empty() && all_.back().worked == worked && all_.back().line.back() == from;
+        if (!goesOn) {
+            all_.push_back({.worked = worked, .line = {from}});
+        }
+        all_.back().line.push_back(to);
+    }
+    std::vector<DifferentStretch> take() {
+        // Where two lines part, a hand's breadth of them is no difference.
+        std::erase_if(all_, [](const DifferentStretch& each) { return each.length() < metres(kLeast); });
+        return std::move(all_);
+    }
+
+private:
+    std::vector<DifferentStretch> all_;
+};
+
+std::vector<DifferentStretch> drivenOnlyIn(const Path& path, const Path& other) {
+    // A line is looked at in steps of at most this; what parts from the other one does so to within a step.
+    constexpr double kStepM = 0.5;
+    const DrivenLines passes{other, true};
+    const DrivenLines ways{other, false};
+    Stretches stretches;
+    for (const PathSegment& segment : path.segments) {
+        if (segment.kind == SegmentKind::Swath) {
+            continue;
+        }
+        const bool worked = isWorkedPass(segment);
+        const DrivenLines& lines = worked ? passes : ways;
+        for (std::size_t i = 1; i < segment.samples.size(); ++i) {
+            const Point a = segment.samples[i - 1].position;
+            const Point way = segment.samples[i].position - a;
+            const double lengthM = norm(way);
+            const auto steps = static_cast<std::size_t>(std::ceil(lengthM / kStepM));
+            // Neighbouring steps that differ become one edge.
+            std::size_t first = 0;
+            for (std::size_t step = 0; step <= steps; ++step) {
+                const auto at = [&](double k) { return a + (k / static_cast<double>(steps)) * way; };
+                const bool differs = step < steps && !lines.has(at(static_cast<double>(step) + 0.5), way);
+                if (!differs) {
+                    if (first < step) {
+                        // The end as it is: the next edge goes on from there.
+                        stretches.add(
+                            worked, first == 0 ? a : at(static_cast<double>(first)),
+                            step == steps ? segment.samples[i].position : at(static_cast<double>(step)));
+                    }
+                    first = step + 1;
+                }
+            }
+        }
+    }
+    return stretches.take();
+}
+
 std::optional<double> squareMetresOf(const std::optional<Area>& area) {
     return area.transform([](Area measured) { return measured.si(); });
 }
 
 }  // namespace
 
+Length DifferentStretch::length() const {
+    double sumM = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        sumM += distance(line[i - 1], line[i]);
+    }
+    return metres(sumM);
+}
+
+Length lengthOf(const std::vector<DifferentStretch>& stretches, bool worked) {
+    Length sum;
+    for (const DifferentStretch& stretch : stretches) {
+        sum = stretch.worked == worked ? sum + stretch.length() : sum;
+    }
+    return sum;
+}
+
 Better betterOf(Figure figure) {
     switch (figure) {
         case Figure::Covered: return Better::More;
         case Figure::Working:
+        case Figure::Mainland:
         case Figure::Swaths: return Better::Neither;
         default: return Better::Less;
     }
@@ -57,6 +182,7 @@ std::optional<double> figureOf(const Plan& plan, Figure figure) {
         case Figure::Path: return plan.path.length().si();
         case Figure::Working: return plan.path.workedLength().si();
         case Figure::Turning: return (plan.path.length() - plan.path.workedLength()).si();
+        case Figure::Mainland: return area(plan.headland.mainland).si();
         case Figure::Swaths: return static_cast<double>(plan.swaths.swaths.size());
         case Figure::Covered: return squareMetresOf(plan.audit.covered);
         case Figure::Missed: return squareMetresOf(plan.audit.missed);
@@ -80,7 +206,9 @@ PlanDifference differenceOf(const Plan& first, const Plan& second) {
     PlanDifference difference{.machine = first.request.machine != second.request.machine,
                               .settings = {},
                               .onlyInFirst = onlyIn(first.swaths, second.swaths),
-                              .onlyInSecond = onlyIn(second.swaths, first.swaths)};
+                              .onlyInSecond = onlyIn(second.swaths, first.swaths),
+                              .drivenOnlyInFirst = drivenOnlyIn(first.path, second.path),
+                              .drivenOnlyInSecond = drivenOnlyIn(second.path, first.path)};
     for (const Parameter* parameter : allParameters()) {
         const SettingValue mine = first.request.settings.value(*parameter);
         const SettingValue its = second.request.settings.value(*parameter);

@@ -4,7 +4,15 @@
 #include "planner/geometry/prepared_area.h"
 #include "planner/geometry/segment.h"
 
+#include <algorithm>
+
 namespace furrow {
+
+namespace {
+
+constexpr double kSameEndM = 0.5;
+
+}  // namespace
 
 std::optional<std::size_t> segmentAt(const Plan& plan, Point place, Length reach) {
     std::optional<std::size_t> best;
@@ -31,6 +39,22 @@ std::optional<std::size_t> cellAt(const Plan& plan, Point place) {
         }
     }
     return std::nullopt;
+}
+
+std::optional<std::size_t> sameStretch(const PathSegment& segment, const Path& path) {
+    const Point begin = segment.samples.front().position;
+    const Point end = segment.samples.back().position;
+    const auto isSame = [&](const PathSegment& other) {
+        const Point otherBegin = other.samples.front().position;
+        const Point otherEnd = other.samples.back().position;
+        const auto areNear = [](Point a, Point b) { return distance(a, b) < kSameEndM; };
+        return other.kind == segment.kind && ((areNear(begin, otherBegin) && areNear(end, otherEnd)) ||
+                                              (areNear(begin, otherEnd) && areNear(end, otherBegin)));
+    };
+    const auto same = std::ranges::find_if(path.segments, isSame);
+    return same == path.segments.end()
+               ? std::nullopt
+               : std::optional{static_cast<std::size_t>(same - path.segments.begin())};
 }
 
 }  // namespace furrow
