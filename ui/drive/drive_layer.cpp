@@ -38,14 +38,9 @@ QSGNode* DriveLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
         return scene;
     }
     const MapFrame frame{drive_->plan()->field().frame()};
-    scene->setStrips(drive_->strips());
-    scene->setStyle({.worked = workedColor_,
-                     .body = bodyColor_,
-                     .wheels = wheelColor_,
-                     .implement = implementColor_,
-                     .casing = casingColor_});
+    scene->setStyle(
+        {.body = bodyColor_, .wheels = wheelColor_, .implement = implementColor_, .casing = casingColor_});
     const DriveState& state = drive_->state();
-    scene->setWorked(drive_->course()->stationBefore(state.time), state);
     const double metresPerPixel = 1.0 / (pixelsPerUnit() * frame.unitsPerMetre());
     scene->setMachine(machineDrawing(drive_->plan()->request.machine, state, drive_->carried(), frame,
                                      metres(kLeastPx * metresPerPixel)),

@@ -8,12 +8,11 @@
 
 namespace furrow {
 
-/// Draws the machine on its drive, and the land that it has worked.
+/// Draws the machine on its drive.
 class DriveLayer : public MapLayer {
     Q_OBJECT
     QML_ELEMENT
     Q_PROPERTY(furrow::DriveThrough* drive READ drive WRITE setDrive NOTIFY driveChanged REQUIRED FINAL)
-    Q_PROPERTY(QColor workedColor MEMBER workedColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor bodyColor MEMBER bodyColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor wheelColor MEMBER wheelColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor implementColor MEMBER implementColor_ NOTIFY styleChanged FINAL)
@@ -34,7 +33,6 @@ protected:
 
 private:
     QPointer<DriveThrough> drive_;
-    QColor workedColor_;
     QColor bodyColor_;
     QColor wheelColor_;
     QColor implementColor_;

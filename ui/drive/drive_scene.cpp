@@ -1,56 +1,13 @@
 #include "ui/drive/drive_scene.h"
 
-#include <utility>
-
 namespace furrow {
 
-namespace {
-
-constexpr float kWorkedOpacity = 0.32F;
-
-QColor withAlpha(QColor color, float alpha) {
-    color.setAlphaF(alpha);
-    return color;
-}
-
-}  // namespace
-
 DriveScene::DriveScene() {
-    appendChildNode(ground_);
-    for (QSGNode* node :
-         std::initializer_list<QSGNode*>{begun_, drawbar_, implementCasing_, implement_, implementOutline_,
-                                         casing_, wheels_, body_, outline_}) {
+    for (QSGNode* node : std::initializer_list<QSGNode*>{
+             drawbar_, implementCasing_, implement_, implementOutline_, casing_, wheels_, body_, outline_}) {
         appendChildNode(node);
     }
     hide();
-}
-
-void DriveScene::setStrips(std::shared_ptr<const WorkedStrips> strips) {
-    if (strips == strips_) {
-        return;
-    }
-    strips_ = std::move(strips);
-    for (FillNode* piece : pieces_) {
-        ground_->removeChildNode(piece);
-        delete piece;
-    }
-    pieces_.clear();
-}
-
-void DriveScene::setWorked(std::size_t station, const DriveState& state) {
-    const std::size_t whole = station / WorkedStrips::kStationsInPiece;
-    while (pieces_.size() < whole) {
-        auto* piece = new FillNode;
-        piece->setMesh(strips_->piece(pieces_.size()));
-        piece->setStyle(withAlpha(style_.worked, kWorkedOpacity));
-        ground_->appendChildNode(piece);
-        pieces_.push_back(piece);
-    }
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        pieces_[i]->setShown(i < whole);
-    }
-    begun_->setMesh(strips_->begun(station, state));
-    begun_->setShown(true);
 }
 
 void DriveScene::setMachine(const MachineShapeDrawing& drawing, Carried carried) {
@@ -75,10 +32,7 @@ void DriveScene::setMachine(const MachineShapeDrawing& drawing, Carried carried)
 }
 
 void DriveScene::hide() {
-    for (FillNode* piece : pieces_) {
-        piece->setShown(false);
-    }
-    for (FillNode* area : {begun_, implement_, wheels_, body_}) {
+    for (FillNode* area : {implement_, wheels_, body_}) {
         area->setShown(false);
     }
     for (LineNode* line : {drawbar_, implementCasing_, implementOutline_, casing_, outline_}) {
@@ -96,10 +50,6 @@ void DriveScene::styleMachine() {
 
 void DriveScene::setStyle(const DriveStyle& style) {
     style_ = style;
-    for (FillNode* piece : pieces_) {
-        piece->setStyle(withAlpha(style.worked, kWorkedOpacity));
-    }
-    begun_->setStyle(withAlpha(style.worked, kWorkedOpacity));
     body_->setStyle(style.body);
     wheels_->setStyle(style.wheels);
     implement_->setStyle(style.implement);
@@ -111,10 +61,7 @@ void DriveScene::setStyle(const DriveStyle& style) {
 }
 
 void DriveScene::setScale(double pixelsPerUnit, double devicePixelRatio) {
-    for (FillNode* piece : pieces_) {
-        piece->setScale(pixelsPerUnit, devicePixelRatio);
-    }
-    for (FillNode* area : {begun_, implement_, wheels_, body_}) {
+    for (FillNode* area : {implement_, wheels_, body_}) {
         area->setScale(pixelsPerUnit, devicePixelRatio);
     }
     for (LineNode* line : {drawbar_, implementCasing_, implementOutline_, casing_, outline_}) {

@@ -1,5 +1,6 @@
 #include "ui/drive/drive_through.h"
 
+#include "planner/path/tank_levels.h"
 #include "planner/path/turn_shape.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
@@ -199,8 +200,13 @@ QString DriveThrough::stateText() const {
         parts << tr("Swath %1, %2 of %3").arg(segment.number).arg(count).arg(all);
     } else if (segment.kind == SegmentKind::Turn) {
         parts << sentence(nameOf(turnShape(std::span{&segment, 1})));
+    } else if (segment.kind == SegmentKind::Refill) {
+        const bool unloads = plan_->refill && plan_->refill->work.gathers;
+        parts << (!leadsToRefill(plan_->path.segments, state_.segment) ? tr("Way back to work")
+                  : unloads                                            ? tr("Way to unload")
+                                                                       : tr("Way to refill"));
     } else {
-        parts << sentence(nameOf(segment));
+        parts << (segment.implementDown ? sentence(nameOf(segment)) : tr("Way without work"));
     }
     if (segment.gear == Gear::Reverse) {
         parts << tr("backwards");
@@ -225,6 +231,12 @@ QString DriveThrough::figuresText() const {
                                            : tr("%1° right").arg(numberText(-deg, 0)));
     parts << lengthText(state_.driven);
     if (const auto& tank = plan_->request.machine.spec().tank; tank && tank->capacity > 0.0) {
+        if (state_.level) {
+            const QString held = percentText(*state_.level / tank->capacity);
+            parts << (plan_->refill && plan_->refill->work.gathers ? tr("bunker %1").arg(held)
+                                                                   : tr("tank %1").arg(held));
+            return inOneLine(parts);
+        }
         const double used =
             tank->ratePerM2 * (state_.worked.si() * plan_->request.machine.operatingWidth().si());
         parts << (used < tank->capacity ? tr("tank %1").arg(percentText(1.0 - used / tank->capacity))

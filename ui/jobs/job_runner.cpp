@@ -60,6 +60,17 @@ void JobRunner::submit(Work work, Replace replace) {
     wake_.notify_all();
 }
 
+void JobRunner::handOver(const JobContext& job, Delivery delivery) {
+    QMetaObject::invokeMethod(
+        this,
+        [stop = job.stop, delivery = std::move(delivery)] {
+            if (!stop.stop_requested()) {
+                delivery();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
 void JobRunner::cancel() {
     {
         const std::scoped_lock lock{mutex_};

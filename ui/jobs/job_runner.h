@@ -45,6 +45,9 @@ public:
     ~JobRunner() override;
 
     void submit(Work work, Replace replace = Replace::Now);
+    /// For the running piece, from any thread of it: what is to be done in the GUI thread before it has
+    /// ended. Nothing is, if the piece was stopped by then.
+    void handOver(const JobContext& job, Delivery delivery);
     /// Stops what runs and forgets what waits.
     void cancel();
 

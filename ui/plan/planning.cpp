@@ -9,14 +9,21 @@
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
 
+#include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace furrow {
 
 namespace {
 
-/// A plan that took longer is followed by a draft of the next one first.
-constexpr Duration kLongToWaitFor = seconds(0.5);
+using namespace std::chrono_literals;
+
+// What is there sooner is shown by itself, without a draft before it: no flicker.
+constexpr auto kShownWithoutADraft = 150ms;
+// After a plan that was quick the next one is waited for, for so long, before a draft of it is begun.
+constexpr auto kWaitedFor = 80ms;
+constexpr Duration kQuick = seconds(0.15);
 
 /// With a changed setting, those give way that cannot stand beside it.
 void clearOthers(Settings& settings, const Parameter& changed, const SettingValue& value) {
@@ -49,7 +56,14 @@ Planning::Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Pr
     connect(&planner_, &JobRunner::busyChanged, this, &Planning::updateState);
     connect(&planner_, &JobRunner::slowChanged, this, &Planning::updateState);
     connect(&planner_, &JobRunner::slowChanged, this, &Planning::progressChanged);
-    connect(&planner_, &JobRunner::progressChanged, this, &Planning::progressChanged);
+    connect(&planner_, &JobRunner::progressChanged, this, [this] {
+        emit progressChanged();
+        if (const int done = compared_->done; done != std::exchange(toldCompared_, done)) {
+            emit statusTextChanged();
+        }
+    });
+    hold_.setSingleShot(true);
+    connect(&hold_, &QTimer::timeout, this, &Planning::showHeld);
     connect(&shown_, &ShownPlan::planChanged, this, [this] { cells_.show(shown_.plan()); });
     connect(&problem_, &Problem::dismissed, this, &Planning::updateState);
     connect(&Display::instance(), &Display::changed, this, &Planning::updateState);
@@ -63,12 +77,14 @@ QString Planning::statusText() const {
         case PlanState::Reading: return tr("Reading %1 …").arg(opener_.readingName());
         case PlanState::Choosing: return tr("%n field(s) in this file", nullptr, opener_.choices()->count());
         case PlanState::Planning:
-            return !shown_.isDraft()          ? tr("Planning …")
-                   : draftAsked_ && !isSlow() ? tr("Draft · the whole plan follows when you let go")
-                                              : tr("Draft · planning …");
+            return !draftAsked_        ? planningText()
+                   : !shown_.isDraft() ? tr("Planning …")
+                   : !isSlow()         ? tr("Draft · the whole plan follows when you let go")
+                                       : tr("Draft · planning …");
         case PlanState::OutOfDate:
-            return shown_.isDraft() ? tr("Out of date · this is a draft")
-                   : plan           ? tr("Out of date · this is the plan before the change")
+            return shown_.isDraft() ? isFirstPlan(*plan) ? tr("Out of date · this is a first plan")
+                                                         : tr("Out of date · this is a draft")
+                   : plan ? tr("Out of date · this is the plan before the change")
                                     : tr("Stopped · there is no plan");
         case PlanState::Failed: return tr("No plan");
         case PlanState::Problems:
@@ -84,9 +100,20 @@ QString Planning::statusText() const {
     return tr("%1 · %2").arg(ready, durationText(plan->path.duration()));
 }
 
+QString Planning::planningText() const {
+    const auto [done, known] = compared();
+    if (known == 0) {
+        return shown_.isDraft() ? tr("First plan · being improved …") : tr("Planning …");
+    }
+    const int current = std::min(done + 1, known);
+    return shown_.isDraft() ? tr("First plan · comparing %1 of %2 …").arg(current).arg(known)
+                            : tr("Planning … · comparing %1 of %2").arg(current).arg(known);
+}
+
 void Planning::cancel() {
     opener_.cancel();
     planner_.cancel();
+    forgetHeld();
     draftAsked_ = false;
     again_ = false;
     stopped_ = shown_.source() != nullptr;
@@ -115,7 +142,11 @@ void Planning::followDocument() {
     plannedField_ = fieldId;
     plannedPlan_ = plan.id;
     plannedMachine_ = plan.machine;
+    const bool otherSettings = plan.settings != plannedSettings_;
     plannedSettings_ = plan.settings;
+    if (otherSettings) {
+        emit settingsChanged();
+    }
     machine_.show(plan.machine);
     if (otherField) {
         begin(source);
@@ -128,9 +159,7 @@ void Planning::followDocument() {
         keepPlan();
     } else if (stale || (draftAsked_ && !document_.isDragging())) {
         const bool live = document_.isDragging() && !otherPlan;
-        requestPlan(live                 ? Wanted::DraftWhileDragging
-                    : startsWithADraft() ? Wanted::DraftFirst
-                                         : Wanted::Plan);
+        requestPlan(live ? Wanted::Draft : Wanted::Plan);
     }
     updateState();
     if (otherField) {
@@ -143,6 +172,7 @@ void Planning::followDocument() {
 
 void Planning::begin(const Source& source) {
     planner_.cancel();
+    forgetHeld();
     wholePlan_.reset();
     cache_ = std::make_shared<StageCache>();
     problem_.clear();
@@ -192,6 +222,36 @@ void Planning::set(const QString& key, const QString& text) {
     apply({.key = key.toStdString(), .value = text.toStdString()});
 }
 
+std::vector<GivenPlace> Planning::placesOf(const QString& key) const {
+    const auto parameter = findParameter(key.toStdString());
+    return parameter ? givenPlaces(settings().place(**parameter)).value_or(std::vector<GivenPlace>{})
+                     : std::vector<GivenPlace>{};
+}
+
+QVariantList Planning::pointsOf(const QString& key) const {
+    QVariantList points;
+    for (const GivenPlace& place : placesOf(key)) {
+        if (place.point) {
+            points.append(QVariant::fromValue(coordinate(*place.point)));
+        }
+    }
+    return points;
+}
+
+void Planning::addPoint(const QString& key, const QGeoCoordinate& place) {
+    std::vector<GivenPlace> places = placesOf(key);
+    places.push_back(
+        {.name = {}, .point = GeoPoint{.lonDeg = place.longitude(), .latDeg = place.latitude()}});
+    set(key, QString::fromStdString(placesText(places)));
+}
+
+void Planning::removePoint(const QString& key, int index) {
+    std::vector<GivenPlace> places = placesOf(key);
+    int at = 0;
+    std::erase_if(places, [&](const GivenPlace& place) { return place.point && at++ == index; });
+    set(key, QString::fromStdString(placesText(places)));
+}
+
 void Planning::apply(const SettingChange& change) {
     const auto parameter = findParameter(change.key);
     Settings read;
@@ -200,48 +260,102 @@ void Planning::apply(const SettingChange& change) {
     }
 }
 
-bool Planning::startsWithADraft() const {
-    return wholePlan_ == nullptr || wholePlan_->timings.total > kLongToWaitFor;
-}
-
 void Planning::requestPlan(Wanted wanted) {
     if (!shown_.source()) {
         return;
     }
     stopped_ = false;
-    draftAsked_ = wanted != Wanted::Plan;
+    // One draft after the other is shown while the user drags; a plan that is being made gives way to them.
+    const bool dragsOn = std::exchange(draftAsked_, wanted == Wanted::Draft) && draftAsked_;
+    forgetHeld();
+    sinceAsked_.start();
+    compared_ = std::make_shared<Compared>();
+    PlanTask task{.source = shown_.source(),
+                  .field = field_,
+                  .machine = machine_.machine(),
+                  .settings = settings(),
+                  .draft = draftAsked_,
+                  .before = wholePlan_};
+    // What is on the map already is not replaced by less.
+    const bool improves = !draftAsked_ && !isOfWhatIsShown();
     planner_.submit(
-        [this, source = shown_.source(), field = field_, machine = machine_.machine(), settings = settings(),
-         draft = draftAsked_, before = wholePlan_,
-         cache = cache_](const JobContext& job) -> JobRunner::Delivery {
-            PlanOutcome outcome = planned(source, field, machine, settings, draft, before.get(), *cache, job);
+        [this, task = std::move(task), improves, cache = cache_,
+         compared = compared_](const JobContext& job) -> JobRunner::Delivery {
+            PlanOutcome outcome =
+                planned(task, *cache, job, improves ? meanwhile(task, job, compared) : PlanMeanwhile{});
             return [this, outcome = std::move(outcome)]() mutable { take(std::move(outcome)); };
         },
-        wanted == Wanted::DraftWhileDragging ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
+        dragsOn ? JobRunner::Replace::WhenDone : JobRunner::Replace::Now);
     updateState();
+}
+
+PlanMeanwhile Planning::meanwhile(const PlanTask& task, const JobContext& job,
+                                  std::shared_ptr<Compared> compared) {
+    const bool wasQuick = task.before != nullptr && task.before->timings.total < kQuick;
+    return {.firstPlan =
+                [this, job](PlanOutcome outcome) {
+                    planner_.handOver(job, [this, outcome = std::move(outcome)] { hold(outcome); });
+                },
+            .draftAfter = wasQuick ? kWaitedFor : 0ms,
+            .course = {.firstPlan = {},
+                       .compared = [compared = std::move(compared)](std::size_t done, std::size_t known) {
+                           compared->known = static_cast<int>(known);
+                           compared->done = static_cast<int>(done);
+                       }}};
+}
+
+void Planning::hold(PlanOutcome outcome) {
+    if (outcome.source != shown_.source()) {
+        return;
+    }
+    field_ = outcome.field;
+    held_ = std::move(outcome);
+    const auto left = kShownWithoutADraft - std::chrono::milliseconds{sinceAsked_.elapsed()};
+    if (left > 0ms) {
+        hold_.start(left);
+    } else {
+        showHeld();
+    }
+}
+
+void Planning::showHeld() {
+    if (held_) {
+        PlanOutcome outcome = *std::move(held_);
+        forgetHeld();
+        show(std::move(outcome));
+    }
+}
+
+void Planning::forgetHeld() {
+    held_.reset();
+    hold_.stop();
 }
 
 void Planning::take(PlanOutcome outcome) {
     if (!shown_.source() || (outcome.error && outcome.error->code == ErrorCode::Cancelled)) {
         return;
     }
+    forgetHeld();
     if (outcome.source == shown_.source()) {
         field_ = outcome.field;
     }
-    const bool goesOn = draftAsked_ && !document_.isDragging();
-    if (goesOn) {
+    if (draftAsked_ && !document_.isDragging()) {
         requestPlan(Wanted::Plan);
         if (!outcome.plan) {
             return;  // the whole plan tells the reason
         }
     }
     again_ = false;
+    if (!outcome.plan || !outcome.plan->request.draft) {
+        wholePlan_ = outcome.plan;
+    }
+    show(std::move(outcome));
+}
+
+void Planning::show(PlanOutcome outcome) {
     problem_.clear();
     if (outcome.error) {
         problem_.show(*outcome.error);
-    }
-    if (!outcome.plan || !outcome.plan->request.draft) {
-        wholePlan_ = outcome.plan;
     }
     shown_.show(std::move(outcome.plan), std::move(outcome.drawing), std::move(outcome.source));
     if (std::exchange(announce_, false)) {
@@ -253,6 +367,7 @@ void Planning::take(PlanOutcome outcome) {
 
 void Planning::keepPlan() {
     planner_.cancel();
+    forgetHeld();
     problem_.clear();
     stopped_ = false;
     draftAsked_ = false;
@@ -305,6 +420,7 @@ void Planning::updateState() {
     state_ = derivedState();
     showSteps();
     emit stateChanged();
+    emit statusTextChanged();
 }
 
 }  // namespace furrow

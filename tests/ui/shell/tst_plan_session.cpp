@@ -42,6 +42,11 @@ QString figure(Session& session, int row) {
     return session.figures()->data(session.figures()->index(row), FiguresModel::ValueRole).toString();
 }
 
+/// 150 ha.
+QList<QGeoCoordinate> largeRectangle() {
+    return {{58.25, 22.5}, {58.25, 22.52}, {58.2615, 22.52}, {58.2615, 22.5}};
+}
+
 /// One point of the first ring, as it is dragged.
 void moveVertex(Session& session, std::size_t vertex, const QGeoCoordinate& place, bool finished) {
     const Project& project = *session.document()->project();
@@ -294,49 +299,93 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.shown()->isDraft(), kPatienceMs);
         QCOMPARE(session.planning()->state(), PlanState::Ready);
     }
-    void aFieldIsOpenedWithADraftAndThenItsWholePlan() {
+    // A field whose plan takes longer than its draft anywhere: 150 ha with a machine of 2.5 m.
+    void aLargeFieldIsOpenedWithAFirstPlanAndThenTheFinishedOne() {
         Session session;
-        std::vector<bool> drafts;
-        connect(session.shown(), &ShownPlan::planChanged, this, [&session, &drafts] {
+        struct Shown {
+            bool finished;
+            PlanState state;
+            bool exported;
+            QString status;
+        };
+        std::vector<Shown> all;
+        connect(session.shown(), &ShownPlan::planChanged, this, [&] {
             if (session.shown()->hasPlan()) {
-                drafts.push_back(session.shown()->isDraft());
+                all.push_back({!session.shown()->isDraft(), {}, false, {}});
             }
         });
-        session.opener()->addDrawn(drawnRectangle());
-        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->hasPlan(), kPatienceMs);
-        QVERIFY(session.shown()->isDraft());
-        // Something to look at: it stays in the window until it is whole.
-        QCOMPARE(session.planning()->state(), PlanState::Planning);
-        QVERIFY(!session.exporter()->refusal().isEmpty());
-        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        connect(session.planning(), &Planning::stateChanged, this, [&] {
+            if (!all.empty() && all.back().status.isEmpty()) {
+                all.back().state = session.planning()->state();
+                all.back().exported = session.exporter()->refusal().isEmpty();
+                all.back().status = session.planning()->statusText();
+            }
+        });
+        std::vector<double> shares;
+        connect(session.planning(), &Planning::progressChanged, this, [&] {
+            if (session.planning()->state() == PlanState::Planning) {
+                shares.push_back(session.planning()->progress());
+            }
+        });
+        session.opener()->addDrawn(largeRectangle());
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session.planning()->state()), kPatienceMs);
+        QVERIFY(all.size() >= 2);
         QVERIFY(!session.shown()->isDraft());
-        QCOMPARE(std::ranges::count(drafts, true), 1);
-        // Planned in less than half a second: what is chosen next comes whole, without flicker in between.
-        if (session.shown()->plan()->timings.total < seconds(0.5)) {
-            drafts.clear();
-            ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
-            headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
-            QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
-            QCOMPARE(std::ranges::count(drafts, true), 0);
+        for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+            QVERIFY(!all[i].finished);
+            // Something to look at: it stays in the window until it is finished.
+            QCOMPARE(all[i].state, PlanState::Planning);
+            QVERIFY(!all[i].exported);
+            QVERIFY2(all[i].status.startsWith(QStringLiteral("First plan")), qPrintable(all[i].status));
         }
+        QVERIFY(all.back().finished);
+        QVERIFY(session.exporter()->refusal().isEmpty());
+        // The bar goes on, and never back.
+        QVERIFY(std::ranges::is_sorted(shares));
+        shares.erase(std::ranges::unique(shares).begin(), shares.end());
+        QVERIFY2(shares.size() > 8, qPrintable(QString::number(shares.size())));
     }
-    void afterAPlanThatTookLongTheNextBeginsWithADraft() {
+    void whileALongPlanIsMadeAFirstOneIsShown() {
         Session session;
         session.opener()->addDrawn(drawnRectangle());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
-        // 9,000 headings take longer than half a second anywhere.
+        // 9,000 headings take longer than a draft anywhere, also after a plan that was quick.
         ParameterModel* swaths = session.planning()->steps()->parameters(QStringLiteral("swaths"));
         swaths->setChoice(rowOf(*swaths, QStringLiteral("swaths.method")),
                           methodIndex("swaths", "brute-force"));
         swaths->setNumber(rowOf(*swaths, QStringLiteral("swaths.step_deg")), 0.02);
-        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->plan()->swaths.headingsTried >= 9000, kPatienceMs);
-        QCOMPARE(session.planning()->state(), PlanState::Ready);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->isDraft(), kPatienceMs);
+        QCOMPARE(session.planning()->state(), PlanState::Planning);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        QVERIFY(!session.printing()->refusal().isEmpty());
+        QVERIFY(!session.review()->refusal().isEmpty());
+        QVERIFY(!session.drive()->isAvailable());
+        QVERIFY(session.planning()->statusText().startsWith(QStringLiteral("First plan")));
+        const auto check = [&session](int role) {
+            return session.planning()->steps()->index(7).data(role).toString();
+        };
+        QCOMPARE(check(StepsModel::ChoiceRole), QStringLiteral("First plan, being improved"));
+        QCOMPARE(session.planning()->steps()->index(4).data(StepsModel::StatusRole).toInt(),
+                 static_cast<int>(StepsModel::Status::Old));
+        // Another change while it is made: the first plan of this one, then the finished one.
         ParameterModel* headland = session.planning()->steps()->parameters(QStringLiteral("headland"));
         headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 30.0);
         QTRY_COMPARE_WITH_TIMEOUT(session.shown()->plan()->headland.width.si(), 30.0, kPatienceMs);
         QVERIFY(session.shown()->isDraft());
         QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
         QVERIFY(!session.shown()->isDraft());
+        QVERIFY(session.exporter()->refusal().isEmpty());
+        // Stopped with a first plan on the map: it is none.
+        headland->setNumber(rowOf(*headland, QStringLiteral("headland.width_m")), 20.0);
+        QTRY_VERIFY_WITH_TIMEOUT(session.shown()->isDraft(), kPatienceMs);
+        session.planning()->cancel();
+        QCOMPARE(session.planning()->state(), PlanState::OutOfDate);
+        QVERIFY(!session.exporter()->refusal().isEmpty());
+        // What is undone is planned again, and shown with a first plan before.
+        session.document()->undo();
+        QTRY_COMPARE_WITH_TIMEOUT(session.planning()->state(), PlanState::Ready, kPatienceMs);
+        QVERIFY(!session.shown()->isDraft());
+        QCOMPARE(session.shown()->plan()->headland.width.si(), 30.0);
     }
     void aBoundaryThatCrossesItselfIsToldWithItsPlace() {
         Session session;
