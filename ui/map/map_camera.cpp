@@ -96,6 +96,20 @@ void MapCamera::zoomBy(double levels) {
     zoomAt({viewport_.width() / 2.0, viewport_.height() / 2.0}, levels, true);
 }
 
+void MapCamera::turnWheel(QPointF pixel, double eighths) {
+    constexpr double kEighthsPerNotch = 120.0;
+    constexpr double kLevelsPerNotch = 0.5;
+    const double notches = eighths / kEighthsPerNotch;
+    // Touch pads send many small turns: these are the motion already.
+    zoomAt(pixel, notches * kLevelsPerNotch, std::abs(notches) >= 0.5);
+}
+
+void MapCamera::goTo(const QGeoCoordinate& place, double zoom) {
+    if (place.isValid()) {
+        moveTo(worldPoint(place), zoom, false);
+    }
+}
+
 void MapCamera::centreOn(const QGeoCoordinate& place, double leastZoom, bool animated) {
     if (place.isValid()) {
         moveTo(worldPoint(place), std::max(zoom_, leastZoom), animated);

@@ -49,6 +49,10 @@ public:
     /// Zooms by this many levels; what is under `pixel` stays there.
     Q_INVOKABLE void zoomAt(QPointF pixel, double levels, bool animated);
     Q_INVOKABLE void zoomBy(double levels);
+    /// What a wheel was turned by, in eighths of a degree, with the pointer at `pixel`.
+    Q_INVOKABLE void turnWheel(QPointF pixel, double eighths);
+    /// Exactly this place and zoom, at once.
+    Q_INVOKABLE void goTo(const QGeoCoordinate& place, double zoom);
     Q_INVOKABLE void centreOn(const QGeoCoordinate& place, double leastZoom, bool animated);
     /// Shows all of `area` inside the item less these margins.
     Q_INVOKABLE void fit(const QGeoRectangle& area, double left, double top, double right, double bottom,

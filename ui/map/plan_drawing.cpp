@@ -271,6 +271,9 @@ PlanGeometry planGeometry(const Plan& plan) {
         }
     }
     addPath(geometry, frame, plan.path);
+    if (plan.refill) {
+        geometry.refillPoints = frame.map(plan.refill->points);
+    }
     for (const Cell& cell : plan.cells.cells) {
         geometry.cells.push_back(ringsOf(frame, MultiPolygon{cell.outline}));
     }

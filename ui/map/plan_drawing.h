@@ -87,6 +87,7 @@ struct PlanGeometry {
     std::vector<NumberMark> numbers;  ///< by number
     std::optional<MapPoint> start;
     std::optional<MapPoint> end;
+    std::vector<MapPoint> refillPoints;
     std::vector<FindingPlace> findings;
     std::vector<QGeoCoordinate> findingPlaces;
 };

@@ -112,6 +112,23 @@ QImage startImage(const MarkStyle& style, double devicePixelRatio) {
     return image;
 }
 
+QImage refillImage(const MarkStyle& style, double devicePixelRatio) {
+    QImage image = emptyImage({22.0, 26.0}, devicePixelRatio);
+    QPainter painter{&image};
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen{style.pill, 2.2});
+    painter.setBrush(style.refill);
+    // Its middle is the place.
+    painter.translate(11.0, 13.0);
+    QPainterPath drop;
+    drop.moveTo(0.0, -10.5);
+    drop.cubicTo(2.0, -6.0, 7.5, -1.5, 7.5, 3.5);
+    drop.arcTo(QRectF{-7.5, -4.0, 15.0, 15.0}, 0.0, -180.0);
+    drop.cubicTo(-7.5, -1.5, -2.0, -6.0, 0.0, -10.5);
+    painter.drawPath(drop);
+    return image;
+}
+
 QImage squareImage(const QColor& face, const QColor& edge, double devicePixelRatio) {
     QImage image = emptyImage({16.0, 16.0}, devicePixelRatio);
     QPainter painter{&image};
@@ -155,6 +172,10 @@ void MarkNode::addStart(QPointF middle) {
 void MarkNode::addEnd(QPointF middle) {
     add(QStringLiteral("end"), middle,
         [&] { return squareImage(style_.end, style_.pill, devicePixelRatio_); });
+}
+
+void MarkNode::addRefill(QPointF middle) {
+    add(QStringLiteral("refill"), middle, [&] { return refillImage(style_, devicePixelRatio_); });
 }
 
 void MarkNode::addFinding(int number, int more, FindingShape shape, QPointF middle, bool selected) {

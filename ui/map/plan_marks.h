@@ -24,6 +24,7 @@ struct MarkStyle {
     QColor findingText;
     QColor start;
     QColor end;
+    QColor refill;
 
     friend bool operator==(const MarkStyle&, const MarkStyle&) = default;
 };
@@ -38,6 +39,8 @@ QImage findingImage(const QString& text, const QString& more, FindingShape shape
 
 /// Where the path begins and ends.
 QImage startImage(const MarkStyle& style, double devicePixelRatio);
+/// A drop: where the tank is filled or the bunker emptied.
+QImage refillImage(const MarkStyle& style, double devicePixelRatio);
 QImage squareImage(const QColor& face, const QColor& edge, double devicePixelRatio);
 
 /// Small pictures at places of the item, each painted once. Lives in the render thread.
@@ -49,6 +52,7 @@ public:
     void addOrder(int order, QPointF middle);
     void addStart(QPointF middle);
     void addEnd(QPointF middle);
+    void addRefill(QPointF middle);
     /// A finding, and how many others stand behind its mark.
     void addFinding(int number, int more, FindingShape shape, QPointF middle, bool selected);
     /// Removes what was not used.

@@ -342,12 +342,16 @@ void PlanScene::showMarks(const PlanView& view, QQuickWindow* window) {
                    .finding = style_.finding,
                    .findingText = style_.ground,
                    .start = style_.start,
-                   .end = style_.end},
+                   .end = style_.end,
+                   .refill = style_.swath},
                   view.devicePixelRatio);
     if (geometry_) {
         addNumbers(view);
         if (style_.showFindings) {
             addFindings(view);
+        }
+        for (const MapPoint& point : geometry_->refillPoints) {
+            marks_->addRefill(view.toItem(point));
         }
         if (geometry_->end) {
             marks_->addEnd(view.toItem(*geometry_->end));

@@ -95,6 +95,14 @@ public:
                                                          : 1.0;
     }
 
+    /// For a plan beside the one that things are selected in.
+    Q_INVOKABLE furrow::PlanStyle ofAnotherPlan() const {
+        PlanStyle style = *this;
+        style.selectedFinding = style.selectedSegment = style.selectedCell = -1;
+        style.old = false;
+        return style;
+    }
+
     friend bool operator==(const PlanStyle&, const PlanStyle&) = default;
 };
 

@@ -67,7 +67,12 @@ QString settingValue(const SheetSetting& setting) {
             return Words::tr("%1°").arg(numberText(*degrees, 1));
         }
     }
-    if (setting.parameter->kind == ParameterKind::Line || setting.parameter->kind == ParameterKind::Lines) {
+    // Names of gates can be read, coordinates cannot.
+    const bool isDrawn = setting.parameter->kind == ParameterKind::Places
+                             ? settingText(setting.value).contains('(')
+                             : setting.parameter->kind == ParameterKind::Line ||
+                                   setting.parameter->kind == ParameterKind::Lines;
+    if (isDrawn) {
         return Words::tr("as drawn");
     }
     return sentence(shownValue(*setting.parameter, setting.value));
@@ -337,6 +342,11 @@ std::vector<OrderLayout::Row> OrderLayout::planRows() const {
                           {Words::tr("Headland"), headland},
                           {Words::tr("Swaths"), numberText(figures.swaths, 0)},
                           {Words::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
+    if (figures.refills > 0) {
+        const bool unloads = operationOf(sheet_.operation).tank == TankUse::Fills;
+        rows.push_back({unloads ? Words::tr("Unloadings") : Words::tr("Refills"),
+                        inOneLine({numberText(figures.refills, 0), lengthText(figures.refillWay)})});
+    }
     for (const SheetSetting& setting : sheet_.settings) {
         const QString stage = stageOf(*setting.parameter);
         const QString name = shown(setting.parameter->name);

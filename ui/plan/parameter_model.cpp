@@ -36,6 +36,7 @@ ParameterModel::Kind kindOf(const Parameter& parameter) {
         case ParameterKind::Lines:
         case ParameterKind::File:
         case ParameterKind::Place:
+        case ParameterKind::Places:
         case ParameterKind::Numbers: return ParameterModel::Kind::Text;
         case ParameterKind::Length:
         case ParameterKind::Angle:
@@ -70,6 +71,7 @@ QuantityText::Kind quantityOf(const Parameter& parameter) {
         case ParameterKind::Lines:
         case ParameterKind::File:
         case ParameterKind::Place:
+        case ParameterKind::Places:
         case ParameterKind::Numbers: break;
     }
     return QuantityText::Number;
@@ -256,6 +258,7 @@ void ParameterModel::setFlag(int row, bool on) {
 ParameterModel::Pick ParameterModel::pickOf(const Parameter& parameter) const {
     switch (parameter.kind) {
         case ParameterKind::Place: return Pick::Place;
+        case ParameterKind::Places: return Pick::Places;
         case ParameterKind::Lines: return Pick::Split;
         case ParameterKind::File: return Pick::File;
         case ParameterKind::Line: {

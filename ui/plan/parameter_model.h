@@ -21,7 +21,7 @@ public:
     enum class Kind { Number, Direction, Choice, Flag, Text };
     Q_ENUM(Kind)
     /// How a text is got without typing it.
-    enum class Pick { None, Place, Line, Split, File };
+    enum class Pick { None, Place, Line, Split, File, Places };
     Q_ENUM(Pick)
     enum Role {
         KeyRole = Qt::UserRole + 1,

@@ -51,6 +51,7 @@ std::string_view stepOf(const Finding& finding) {
     switch (finding.kind) {
         case FindingKind::Gate:
         case FindingKind::Repair: return "field";
+        case FindingKind::Refill: return "route";
         case FindingKind::DroppedPass:
         case FindingKind::HeadlandNotWorked: return "headland";
         case FindingKind::DroppedSwath:
@@ -176,7 +177,16 @@ void StepsModel::showCheck(Step& step, const StepsContent& content) {
         case PlanState::Empty:
         case PlanState::Reading:
         case PlanState::Choosing: step.choice = tr("Nothing to check yet"); return;
-        case PlanState::Planning: step.choice = tr("Planning …"); return;
+        case PlanState::Planning:
+            if (content.plan != nullptr && content.plan->request.draft) {
+                step.choice = tr("First plan, being improved");
+                step.result = tr("Only the finished plan is checked");
+            } else {
+                step.choice = tr("Planning …");
+                step.result =
+                    content.plan != nullptr ? tr("Until then the map shows the plan before") : QString{};
+            }
+            return;
         case PlanState::Failed:
             step.choice = tr("No plan");
             step.status = Status::Failed;

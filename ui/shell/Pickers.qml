@@ -1,6 +1,6 @@
 import QtQuick
-import QtQuick.Dialogs
 import Furrow.Edit
+import Furrow.Files
 import Furrow.Map
 import Furrow.Plan
 import Furrow.Project
@@ -23,6 +23,8 @@ Item {
             root.key = key;
             if (how === ParameterModel.Pick.Place)
                 picker.picking = true;
+            else if (how === ParameterModel.Pick.Places)
+                severalPicker.start();
             else if (how === ParameterModel.Pick.Line)
                 root.toolRequested(FieldEditor.Guide);
             else if (how === ParameterModel.Pick.Split)
@@ -40,11 +42,37 @@ Item {
         hint: qsTr("Click the place on the map. Esc ends it.")
         onPicked: place => root.planning.set(root.key, "POINT (%1 %2)".arg(place.longitude.toFixed(8)).arg(place.latitude.toFixed(8)))
     }
-    FileDialog {
+    PlacesPicker {
+        id: severalPicker
+
+        objectName: "placesPicker"
+        anchors.fill: parent
+        camera: root.camera
+        hint: places.length === 0 ? qsTr("Click the places on the map") : qsTr("Click another place, or one of them to remove it")
+        onAdded: place => root.planning.addPoint(root.key, place)
+        onRemoved: index => root.planning.removePoint(root.key, index)
+
+        function start(): void {
+            refresh();
+            picking = true;
+        }
+        function refresh(): void {
+            places = root.planning.pointsOf(root.key);
+        }
+    }
+    Connections {
+        target: root.planning
+        enabled: severalPicker.picking
+
+        function onSettingsChanged(): void {
+            severalPicker.refresh();
+        }
+    }
+    FileChooser {
         id: fileDialog
 
         objectName: "pickedFileDialog"
-        fileMode: FileDialog.OpenFile
+        fileMode: FileChooser.OpenFile
         onAccepted: root.planning.set(root.key, root.files.pathOf(selectedFile))
     }
 }

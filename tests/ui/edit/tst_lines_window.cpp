@@ -1,3 +1,4 @@
+#include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
 #include "tests/support/patience.h"
@@ -7,6 +8,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace furrow;
@@ -68,6 +70,63 @@ private slots:
         ready();
         QVERIFY(session_->shown()->plan()->swaths.swaths.size() > 3);
         picture(QStringLiteral("picked_pivot"));
+    }
+    // Two clicks are two refill points: the plan drives to them, and shows them. A click on one removes it,
+    // and all of it can be undone.
+    void refillPointsArePicked() {
+        DRAW_FIELD();
+        const auto machines = machineLibrary();
+        session_->planning()->machine()->setLibraryIndex(static_cast<int>(
+            std::ranges::find(machines, std::string{"mounted-drill"}, &Machine::id) - machines.begin()));
+        ready();
+        QCOMPARE(session_->shown()->plan()->path.refillCount(), 0);
+        item(QStringLiteral("stepsPanel"))->setProperty("openStep", QStringLiteral("route"));
+        click(QStringLiteral("route.refill.pick"));
+        QTRY_VERIFY(shows(QStringLiteral("placesPicker.hint")));
+        const auto points = [&] { return session_->planning()->pointsOf(QStringLiteral("route.refill")); };
+        const QPoint first = middle() + QPoint{-185, 40};
+        const QGeoCoordinate place = camera()->coordinateAt(map()->mapFromScene(first));
+        clickAt(first);
+        QTRY_COMPARE(points().size(), 1);
+        QVERIFY(points().front().value<QGeoCoordinate>().distanceTo(place) < 0.5);
+        clickAt(middle() + QPoint{185, -40});
+        QTRY_COMPARE(points().size(), 2);
+        QTRY_VERIFY(shows(QStringLiteral("placesPicker.place.1")));
+        picture(QStringLiteral("refill1_picking"));
+        click(QStringLiteral("placesPicker.done"));
+        QTRY_VERIFY(!shows(QStringLiteral("placesPicker.hint")));
+        ready();
+        const auto plan = session_->shown()->plan();
+        QVERIFY(plan->path.refillCount() > 0);
+        QCOMPARE(plan->refill->points.size(), std::size_t{2});
+        QVERIFY2(plan->drivable(), plan->findings.empty() ? "" : plan->findings.front().text.c_str());
+        picture(QStringLiteral("refill2_planned"));
+        // A trip is clicked on, and the drive stands at its point.
+        const auto& segments = plan->path.segments;
+        const auto stop =
+            static_cast<int>(std::ranges::find(segments, true, &PathSegment::refills) - segments.begin());
+        session_->drive()->setTime(segments[static_cast<std::size_t>(stop)].samples.back().tS + 150.0);
+        QTRY_VERIFY2(session_->drive()->figuresText().contains(QStringLiteral("tank")),
+                     qPrintable(session_->drive()->figuresText()));
+        editor()->selectSegment(stop);
+        QTRY_COMPARE(title(), QStringLiteral("Way to refill"));
+        picture(QStringLiteral("refill3_driven"));
+        session_->drive()->setTime(0.0);
+        // A click on a place removes it.
+        click(QStringLiteral("route.refill.pick"));
+        QTRY_VERIFY(shows(QStringLiteral("placesPicker.place.0")));
+        click(QStringLiteral("placesPicker.place.0"));
+        QTRY_COMPARE(points().size(), 1);
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("placesPicker.hint")));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(points().size(), 2);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(points().size(), 1);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(points().size(), 0);
+        ready();
+        QCOMPARE(session_->shown()->plan()->path.refillCount(), 0);
     }
     void aFieldIsCutByMouse() {
         DRAW_FIELD();
