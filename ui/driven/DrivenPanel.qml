@@ -11,6 +11,8 @@ SidePanel {
     /// Of the steps on the map.
     required property list<color> colors
     signal openRequested()
+    /// The track belongs to no plan: a field is to be made from it.
+    signal fieldRequested()
     signal placeRequested(place: geoCoordinate)
 
     title: qsTr("Planned and driven")
@@ -45,6 +47,12 @@ SidePanel {
             width: parent.width
             text: root.track.remedy
             wrapMode: Text.WordWrap
+        }
+        PushButton {
+            objectName: "driven.makeField"
+            visible: root.track.readable
+            text: qsTr("Make a field from it")
+            onClicked: root.fieldRequested()
         }
     }
     ErrorCourse {

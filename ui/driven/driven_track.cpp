@@ -97,6 +97,14 @@ void DrivenTrack::open(const QUrl& file) {
     emit changed();
 }
 
+void DrivenTrack::layRecording(const QString& name, const std::shared_ptr<const TrackFile>& file) {
+    close();
+    file_ = name;
+    read_ = file;
+    lay();
+    emit changed();
+}
+
 void DrivenTrack::close() {
     runner_.cancel();
     file_.clear();

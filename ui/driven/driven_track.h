@@ -35,6 +35,8 @@ class DrivenTrack : public QObject {
     Q_PROPERTY(QString name READ name NOTIFY changed FINAL)
     Q_PROPERTY(QString trouble READ trouble NOTIFY changed FINAL)
     Q_PROPERTY(QString remedy READ remedy NOTIFY changed FINAL)
+    /// The file was read, whatever came of it.
+    Q_PROPERTY(bool readable READ isReadable NOTIFY changed FINAL)
     /// What was passed over while it was read.
     Q_PROPERTY(QStringList notes READ notes NOTIFY changed FINAL)
     /// Each with label, value, hint.
@@ -55,6 +57,8 @@ public:
 
     bool isActive() const { return !file_.isEmpty(); }
     bool isReady() const { return laid_ != nullptr; }
+    bool isReadable() const { return read_ != nullptr; }
+    const std::shared_ptr<const TrackFile>& file() const { return read_; }
     bool isBusy() const { return runner_.isBusy(); }
     double progress() const { return runner_.progress(); }
     QString name() const;
@@ -67,6 +71,8 @@ public:
     QString courseTop() const;
 
     Q_INVOKABLE void open(const QUrl& file);
+    /// A recording that was read already.
+    void layRecording(const QString& name, const std::shared_ptr<const TrackFile>& file);
     Q_INVOKABLE void close();
     /// Where the machine was at this share of the recording; not valid where there is none.
     Q_INVOKABLE QGeoCoordinate placeAt(double share) const;

@@ -65,6 +65,9 @@ void FieldOpener::take(Reading reading, bool choose) {
         recent_.add(files_.path(), *document_.project());
     }
     emit imageryFound(reading.imagery);
+    if (reading.drive != nullptr) {
+        emit driveFound(QFileInfo{reading.drives.front()}.fileName(), reading.drive);
+    }
     if (choose && reading.fields.size() > 1) {
         choices_.show(std::move(reading.fields));
     } else if (!reading.fields.empty()) {

@@ -43,6 +43,7 @@ public:
     /// Reads a file. With several fields in a boundary file and no id, the user picks from `choices`.
     void open(const QString& path, const QString& fieldId = {});
     /// Reads several: a project among them first, then every field of the others; pictures become imagery.
+    /// What a machine recorded is announced: it may be meant for a field, or for the plan.
     Q_INVOKABLE void openUrls(const QList<QUrl>& urls);
     Q_INVOKABLE void openSample(int index);
     /// Whether a file would take the place of the project that is open.
@@ -53,6 +54,8 @@ public:
     Q_INVOKABLE void dropChoices();
     /// Adds a field with this boundary.
     Q_INVOKABLE void addDrawn(const QList<QGeoCoordinate>& boundary);
+    /// Adds fields to the farm: one step to undo.
+    void addFields(std::vector<FieldSource> fields);
     /// Begins with an empty project.
     Q_INVOKABLE void startNew();
     void cancel() { reader_.cancel(); }
@@ -64,11 +67,12 @@ signals:
     void progressChanged();
     /// Pictures among the files.
     void imageryFound(const QStringList& paths);
+    /// A recording among the files; of several the name of the first stands for all.
+    void driveFound(const QString& name, const std::shared_ptr<const TrackFile>& file);
 
 private:
     void read(const QStringList& paths, const QString& fieldId);
     void take(Reading reading, bool choose);
-    void addFields(std::vector<FieldSource> fields);
 
     Document& document_;
     ProjectFiles& files_;

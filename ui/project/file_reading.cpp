@@ -2,10 +2,15 @@
 
 #include "planner/imagery/imagery.h"
 #include "planner/io/import/boundary_import.h"
+#include "planner/io/import/recorded_drive.h"
 
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace furrow {
 
@@ -41,6 +46,17 @@ Result<std::vector<FieldSource>> boundariesIn(const QString& path, const JobCont
                                    : std::unexpected(noSuchField(path));
 }
 
+/// Several files are one recording: of several days, or parts of one.
+void addDrive(Reading& reading, const QString& path, TrackFile drive) {
+    reading.drives << path;
+    if (reading.drive == nullptr) {
+        reading.drive = std::make_shared<TrackFile>(std::move(drive));
+        return;
+    }
+    std::ranges::move(drive.tracks, std::back_inserter(reading.drive->tracks));
+    std::ranges::move(drive.notes, std::back_inserter(reading.drive->notes));
+}
+
 }  // namespace
 
 Reading readFiles(const QStringList& paths, const QString& fieldId, const JobContext& job) {
@@ -58,6 +74,12 @@ Reading readFiles(const QStringList& paths, const QString& fieldId, const JobCon
         if (!path.startsWith(QLatin1Char(':')) && isImagery(path.toStdU16String())) {
             reading.imagery << path;
             continue;
+        }
+        if (!path.startsWith(QLatin1Char(':')) && fieldId.isEmpty()) {
+            if (auto drive = recordedDrive(path.toStdU16String(), job)) {
+                addDrive(reading, path, *std::move(drive));
+                continue;
+            }
         }
         auto fields = boundariesIn(path, job);
         if (fields && !fieldId.isEmpty()) {

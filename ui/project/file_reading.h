@@ -3,10 +3,12 @@
 #include "planner/field/field.h"
 #include "planner/jobs/job.h"
 #include "planner/project/project_file.h"
+#include "planner/track/recorded_track.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,6 +20,9 @@ struct Reading {
     std::optional<std::pair<QString, OpenedProject>> project;
     std::vector<FieldSource> fields;
     QStringList imagery;
+    /// Recordings: which of their tracks is a boundary, if any, the user has to say.
+    QStringList drives;
+    std::shared_ptr<TrackFile> drive;  ///< all of them in one; null where there is none
     std::optional<Error> error;
 };
 
