@@ -15,13 +15,20 @@ T.Button {
     readonly property bool blocking: weight === FindingsModel.Blocks
     /// What corrects it, where that is one setting: "Passes: 3".
     required property string change
+    /// Where the row stands for several of a kind: which of them it shows, from 1.
+    required property int placeInKind
+    required property int kindCount
     property bool current: false
     signal applied()
+    signal stepped(by: int)
 
     implicitHeight: heading.height + lines.height + 20
     topInset: heading.height
     focusPolicy: Qt.StrongFocus
     Accessible.name: qsTr("Finding %1: %2 %3").arg(number).arg(finding).arg(suggestion)
+    Accessible.description: kindCount > 1 ? qsTr("%1 of %2 of this kind").arg(placeInKind).arg(kindCount) : ""
+    Keys.onLeftPressed: event => root.stepWith(event, -1)
+    Keys.onRightPressed: event => root.stepWith(event, 1)
 
     background: Rectangle {
         radius: Theme.radius
@@ -90,6 +97,37 @@ T.Button {
                 lineHeight: 1.15
                 color: Theme.sunlight ? Theme.ink : Theme.muted
             }
+            Row {
+                visible: root.kindCount > 1
+                x: -8
+                height: visible ? Theme.controlHeight : 0
+
+                ToolIconButton {
+                    objectName: root.objectName + ".previous"
+                    height: Theme.controlHeight
+                    width: Theme.controlHeight
+                    iconName: "chevron-left"
+                    hint: qsTr("The one before, of this kind (Ctrl+Shift+F8)")
+                    hintBelow: true
+                    onClicked: root.stepped(-1)
+                }
+                BodyText {
+                    objectName: root.objectName + ".place"
+                    height: Theme.controlHeight
+                    verticalAlignment: Text.AlignVCenter
+                    text: qsTr("%1 of %2 of this kind").arg(root.placeInKind).arg(root.kindCount)
+                    color: Theme.sunlight ? Theme.ink : Theme.muted
+                }
+                ToolIconButton {
+                    objectName: root.objectName + ".next"
+                    height: Theme.controlHeight
+                    width: Theme.controlHeight
+                    iconName: "chevron-right"
+                    hint: qsTr("The next of this kind (Ctrl+F8)")
+                    hintBelow: true
+                    onClicked: root.stepped(1)
+                }
+            }
             SmallButton {
                 objectName: root.objectName + ".apply"
                 x: -6
@@ -99,5 +137,11 @@ T.Button {
                 onClicked: root.applied()
             }
         }
+    }
+
+    function stepWith(event: var, by: int): void {
+        event.accepted = root.kindCount > 1;
+        if (event.accepted)
+            root.stepped(by);
     }
 }

@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import Furrow.Controls
 import Furrow.Edit
+import Furrow.Map
 import Furrow.Plan
 import Furrow.Review
 
@@ -9,6 +10,7 @@ import Furrow.Review
 Rectangle {
     id: root
 
+    required property ShownPlan shown
     required property Planning planning
     required property FiguresModel figures
     required property FindingsModel findings
@@ -20,6 +22,8 @@ Rectangle {
     /// The list of findings was asked for.
     property bool checked: false
     readonly property bool outOfDate: planning.state === PlanState.OutOfDate
+    /// The figures are not those of the finished plan of what the panels show.
+    readonly property bool preliminary: planning.state === PlanState.Planning && (shown.draft || planning.slow)
     signal findingRequested(index: int)
     signal driveRequested(segment: int)
 
@@ -58,7 +62,24 @@ Rectangle {
                 inspector: Inspector { editor: root.editor }
                 onDriveRequested: segment => root.driveRequested(segment)
             }
-            Title { text: qsTr("Plan") }
+            Item {
+                width: parent.width
+                height: planTitle.height
+
+                Title {
+                    id: planTitle
+
+                    text: qsTr("Plan")
+                }
+                Caption {
+                    objectName: "results.preliminary"
+                    anchors { left: planTitle.right; right: parent.right; leftMargin: 12; baseline: planTitle.baseline }
+                    visible: root.preliminary
+                    horizontalAlignment: Text.AlignRight
+                    text: root.shown.draft ? qsTr("first plan: preliminary figures") : qsTr("of the plan before")
+                    elide: Text.ElideRight
+                }
+            }
             Column {
                 width: parent.width
                 visible: root.outOfDate
@@ -95,7 +116,7 @@ Rectangle {
                         objectName: "figure." + figure.label
                         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
                         text: figure.value
-                        opacity: root.outOfDate ? 0.6 : 1
+                        opacity: root.outOfDate || root.preliminary ? 0.6 : 1
                     }
                     Rectangle {
                         anchors.bottom: parent.bottom
@@ -108,7 +129,7 @@ Rectangle {
             Caption {
                 objectName: "results.lastChange"
                 width: parent.width
-                visible: text.length > 0 && !root.outOfDate
+                visible: text.length > 0 && !root.outOfDate && !root.preliminary
                 topPadding: 8
                 text: root.lastChange.text
                 wrapMode: Text.WordWrap
@@ -174,20 +195,25 @@ Rectangle {
                     model: root.findings
 
                     FindingRow {
-                        required property int index
+                        required property int findingIndex
 
-                        objectName: "finding." + index
+                        objectName: "finding." + findingIndex
                         width: column.width
-                        current: index === root.currentFinding
-                        onClicked: root.findingRequested(index)
-                        onApplied: root.findings.apply(index)
+                        current: findingIndex === root.currentFinding
+                        onClicked: root.findingRequested(findingIndex)
+                        onApplied: root.findings.apply(findingIndex)
+                        onStepped: by => {
+                            const next = root.findings.nextOfKind(findingIndex, by);
+                            root.findings.bringForward(next);
+                            root.findingRequested(next);
+                        }
                     }
                 }
             }
             SmallButton {
                 objectName: "allFindings"
-                visible: root.findings.count > root.findings.few
-                text: root.findings.all ? qsTr("Show the first %1 only").arg(root.findings.few) : qsTr("Show all %1").arg(root.findings.count)
+                visible: root.findings.rows > root.findings.few
+                text: root.findings.all ? qsTr("Show the first %1 only").arg(root.findings.few) : qsTr("Show all %1").arg(root.findings.rows)
                 height: 32
                 onClicked: root.findings.all = !root.findings.all
             }
@@ -212,10 +238,12 @@ Rectangle {
     }
     /// Brings a row into view, once it is laid out.
     function showFinding(index: int): void {
-        if (index >= root.findings.few)
+        root.findings.bringForward(index);
+        const at = root.findings.rowOf(index);
+        if (at >= root.findings.few)
             root.findings.all = true;
         Qt.callLater(() => {
-            const row = findingRows.itemAt(index);
+            const row = findingRows.itemAt(at);
             if (row)
                 flick.bringIntoView(row);
         });

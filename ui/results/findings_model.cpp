@@ -8,6 +8,7 @@
 #include "ui/text/unit_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace furrow {
 
@@ -48,11 +49,13 @@ void FindingsModel::show(const std::vector<Finding>& findings, const std::vector
         return;
     }
     // While a value is dragged the list often keeps its length: no reason to lose the scroll position.
-    const bool sameLength = shownCount(findings.size()) == rowCount();
+    std::vector<Row> rows = rowsOf(findings);
+    const bool sameLength = shownCount(rows.size()) == rowCount();
     if (!sameLength) {
         beginResetModel();
     }
     findings_ = findings;
+    rows_ = std::move(rows);
     places_ = places;
     if (!sameLength) {
         endResetModel();
@@ -77,30 +80,102 @@ int FindingsModel::toLookAt() const {
         findings_, [](const Finding& finding) { return weightOf(finding) != Weight::Information; }));
 }
 
-int FindingsModel::shownCount(std::size_t findings) const {
-    return all_ ? static_cast<int>(findings) : std::min(static_cast<int>(findings), few());
+bool FindingsModel::Row::isOf(const Finding& finding, const std::vector<Finding>& all) const {
+    const Finding& first = all[findings.front()];
+    return kindId(first) == kindId(finding) && weightOf(first) == weightOf(finding);
+}
+
+std::vector<FindingsModel::Row> FindingsModel::rowsOf(const std::vector<Finding>& findings) const {
+    std::vector<Row> kinds;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        const auto known =
+            std::ranges::find_if(kinds, [&](const Row& row) { return row.isOf(findings[i], findings); });
+        if (known == kinds.end()) {
+            kinds.push_back({.findings = {i}});
+        } else {
+            known->findings.push_back(i);
+        }
+    }
+    std::vector<Row> rows;
+    for (Row& kind : kinds) {
+        if (kind.findings.size() >= kMany) {
+            // While a value is dragged the same one stays in view.
+            const auto before = std::ranges::find_if(
+                rows_, [&](const Row& row) { return row.isOf(findings[kind.findings.front()], findings_); });
+            kind.at = before == rows_.end() ? 0 : std::min(before->at, kind.findings.size() - 1);
+            rows.push_back(std::move(kind));
+            continue;
+        }
+        for (const std::size_t i : kind.findings) {
+            rows.push_back({.findings = {i}});
+        }
+    }
+    std::ranges::stable_sort(rows, {}, [](const Row& row) { return row.findings.front(); });
+    return rows;
+}
+
+int FindingsModel::shownCount(std::size_t rows) const {
+    return all_ ? static_cast<int>(rows) : std::min(static_cast<int>(rows), few());
+}
+
+int FindingsModel::rowOf(int finding) const {
+    const auto found = std::ranges::find_if(rows_, [finding](const Row& row) {
+        return finding >= 0 && std::ranges::contains(row.findings, static_cast<std::size_t>(finding));
+    });
+    return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
+}
+
+void FindingsModel::bringForward(int finding) {
+    const int at = rowOf(finding);
+    if (at < 0) {
+        return;
+    }
+    Row& row = rows_[static_cast<std::size_t>(at)];
+    const auto place = std::ranges::find(row.findings, static_cast<std::size_t>(finding));
+    const auto next = static_cast<std::size_t>(place - row.findings.begin());
+    if (std::exchange(row.at, next) != next && at < rowCount()) {
+        emit dataChanged(index(at), index(at));
+    }
+}
+
+int FindingsModel::nextOfKind(int finding, int by) const {
+    const auto all = static_cast<std::ptrdiff_t>(findings_.size());
+    if (finding < 0 || finding >= all || by == 0) {
+        return all == 0 ? -1 : by > 0 ? 0 : static_cast<int>(all - 1);
+    }
+    const Row kind{.findings = {static_cast<std::size_t>(finding)}};
+    std::ptrdiff_t next = finding;
+    do {
+        next = (next + (by > 0 ? 1 : all - 1)) % all;
+    } while (!kind.isOf(findings_[static_cast<std::size_t>(next)], findings_));
+    return static_cast<int>(next);
 }
 
 int FindingsModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : shownCount(findings_.size());
+    return parent.isValid() ? 0 : shownCount(rows_.size());
 }
 
 QVariant FindingsModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
         return {};
     }
-    const Finding& finding = findings_[static_cast<std::size_t>(index.row())];
+    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    const Finding& finding = shownIn(row);
+    const auto number = static_cast<int>(row.findings[row.at]);
     switch (role) {
-        case NumberRole: return index.row() + 1;
+        case NumberRole: return number + 1;
+        case FindingRole: return number;
+        case PlaceInKindRole: return static_cast<int>(row.at) + 1;
+        case KindCountRole: return static_cast<int>(row.findings.size());
         case Qt::DisplayRole:
         case TextRole: return shown(finding.text);
         case SuggestionRole: return shown(finding.suggestion);
         case WeightRole: return static_cast<int>(weightOf(finding));
         case BeginsInformationRole:
             return weightOf(finding) == Weight::Information &&
-                   (index.row() == 0 ||
-                    weightOf(findings_[static_cast<std::size_t>(index.row()) - 1]) != Weight::Information);
-        case PlaceRole: return QVariant::fromValue(placeOf(index.row()));
+                   (index.row() == 0 || weightOf(shownIn(rows_[static_cast<std::size_t>(index.row()) - 1])) !=
+                                            Weight::Information);
+        case PlaceRole: return QVariant::fromValue(placeOf(number));
         case ChangeRole: return finding.change ? changeText(*finding.change) : QString{};
         default: return {};
     }
@@ -108,6 +183,9 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
 
 QHash<int, QByteArray> FindingsModel::roleNames() const {
     return {{NumberRole, "number"},
+            {FindingRole, "findingIndex"},
+            {PlaceInKindRole, "placeInKind"},
+            {KindCountRole, "kindCount"},
             {TextRole, "finding"},
             {SuggestionRole, "suggestion"},
             {WeightRole, "weight"},
@@ -127,9 +205,9 @@ QString FindingsModel::outcome() const {
         .arg(changeText(applied_->change), problems(applied_->before), problems(*applied_->after));
 }
 
-void FindingsModel::apply(int row) {
-    const auto index = static_cast<std::size_t>(row);
-    if (row < 0 || index >= findings_.size() || !findings_[index].change) {
+void FindingsModel::apply(int finding) {
+    const auto index = static_cast<std::size_t>(finding);
+    if (finding < 0 || index >= findings_.size() || !findings_[index].change) {
         return;
     }
     const SettingChange change = *findings_[index].change;
@@ -153,9 +231,10 @@ QStringList FindingsModel::texts() const {
     return texts;
 }
 
-QGeoCoordinate FindingsModel::placeOf(int row) const {
-    return row >= 0 && row < static_cast<int>(places_.size()) ? places_[static_cast<std::size_t>(row)]
-                                                              : QGeoCoordinate{};
+QGeoCoordinate FindingsModel::placeOf(int finding) const {
+    return finding >= 0 && finding < static_cast<int>(places_.size())
+               ? places_[static_cast<std::size_t>(finding)]
+               : QGeoCoordinate{};
 }
 
 }  // namespace furrow
