@@ -30,7 +30,7 @@ FocusScope {
     property bool layersOpen: false
     readonly property alias camera: camera
     readonly property alias editor: editor
-    readonly property alias planLayer: plan
+    readonly property alias planLayer: ground.planLayer
     /// How near a traced line is kept to, m.
     readonly property real traceTolerance: camera.zoomLevel > 0 && camera.center.isValid ? edit.traceTolerance() : 0
     readonly property alias toolBar: tools
@@ -108,39 +108,17 @@ FocusScope {
         viewport: Qt.size(root.width, root.height)
         motion: Theme.motion
     }
-    Rectangle {
-        anchors.fill: parent
-        color: Theme.mapGround
-
-        Rectangle {
-            anchors.fill: parent
-            color: Theme.mapSea
-            opacity: world.loaded ? Math.max(0, Math.min(1, (11 - camera.zoomLevel) / 2)) : 0
-        }
-    }
-    WorldLayer {
-        id: world
+    PlanMap {
+        id: ground
 
         anchors.fill: parent
-        camera: camera
-        landColor: Theme.mapGround
-        coastColor: Theme.mapCoast
-        gridColor: Theme.mapGrid
-    }
-    Loader {
-        anchors.fill: parent
-        active: root.online
-        sourceComponent: OnlineMap {
-            camera: root.camera
-            server: root.onlineServer
-        }
-    }
-    ImageryItem {
-        objectName: "imageryItem"
-        anchors.fill: parent
-        visible: root.imageryShown
         camera: camera
         imagery: root.imagery
+        imageryShown: root.imageryShown
+        online: root.online
+        onlineServer: root.onlineServer
+        drawing: root.showOther ? root.other : root.drawing
+        style: root.showOther ? root.planStyle.ofAnotherPlan() : root.planStyle
     }
     Item {
         id: map
@@ -148,16 +126,6 @@ FocusScope {
         objectName: "map"
         anchors.fill: parent
 
-        PlanLayer {
-            id: plan
-
-            objectName: "planLayer"
-            anchors.fill: parent
-            z: 1
-            camera: camera
-            drawing: root.showOther ? root.other : root.drawing
-            style: root.planStyle
-        }
         CellLayer {
             objectName: "cellLayer"
             anchors.fill: parent
@@ -191,7 +159,7 @@ FocusScope {
             Accessible.name: qsTr("Map")
 
             onClicked: pixel => {
-                const finding = plan.findingAt(pixel);
+                const finding = ground.planLayer.findingAt(pixel);
                 if (finding >= 0) {
                     edit.accept();
                     root.findingClicked(finding);

@@ -19,14 +19,20 @@ constexpr double kReachPx = 11.0;
 constexpr double kDragPx = 4.0;
 /// Handles closer together than this would hide the boundary.
 constexpr double kCrowdedPx = 12.0;
-/// Handles are shown around the pointer only: a surveyed boundary would be all handles.
+/// Of outlines that are not selected, handles are shown around the pointer only.
 constexpr double kHandlesPx = 130.0;
-/// Levels of zoom for one notch of the wheel.
-constexpr double kLevelsPerNotch = 0.5;
+/// Of the selected outline at all times, but no more than this many, and not closer together than this: a
+/// surveyed boundary would be all handles.
+constexpr std::size_t kMostHandles = 160;
+constexpr double kRoomyPx = 16.0;
+/// An edge has room for the handle in its middle from here on.
+constexpr double kEdgeWithMiddlePx = 52.0;
+/// Beyond the border of the map.
+constexpr double kBorderPx = 12.0;
 
 /// Lines and discs in pixels of the item, so nothing has to follow the camera.
 struct EditRoot : QSGNode {
-    std::array<LineNode*, 14> nodes{};
+    std::array<LineNode*, 16> nodes{};
     enum Slot {
         GuideCasing,
         Guide,
@@ -39,6 +45,8 @@ struct EditRoot : QSGNode {
         Snap,
         HandleEdge,
         HandleFace,
+        AddEdge,
+        AddFace,
         MiddleFace,
         ActiveEdge,
         ActiveFace
@@ -75,6 +83,7 @@ struct EditLayer::Marks {
     LineMesh rubber;
     LineMesh snap;
     LineMesh handles;
+    LineMesh adds;  ///< in the middle of edges, to be dragged to a new vertex
     LineMesh middles;
     LineMesh active;
 };
@@ -214,8 +223,7 @@ void EditLayer::hoverLeaveEvent(QHoverEvent*) {
 }
 
 void EditLayer::wheelEvent(QWheelEvent* event) {
-    const double notches = event->angleDelta().y() / 120.0;
-    camera()->zoomAt(event->position(), notches * kLevelsPerNotch, std::abs(notches) >= 0.5);
+    camera()->turnWheel(event->position(), event->angleDelta().y());
     event->accept();
 }
 
@@ -245,6 +253,41 @@ void EditLayer::addSketch(Marks& marks) const {
     }
     for (const MapPoint pixel : pixels) {
         marks.handles.add(std::array{pixel});
+    }
+}
+
+void EditLayer::addHandles(Marks& marks, const std::vector<MapPoint>& pixels, bool closed) const {
+    const auto isInView = [this](MapPoint pixel) {
+        return pixel.x > -kBorderPx && pixel.y > -kBorderPx && pixel.x < width() + kBorderPx &&
+               pixel.y < height() + kBorderPx;
+    };
+    const auto distance = [](MapPoint a, MapPoint b) { return std::hypot(b.x - a.x, b.y - a.y); };
+    std::vector<std::size_t> shown;
+    for (double apart = kRoomyPx; shown.empty() || shown.size() > kMostHandles; apart *= 1.5) {
+        shown.clear();
+        for (std::size_t k = 0; k < pixels.size(); ++k) {
+            const bool isRoomy = shown.empty() || (distance(pixels[shown.back()], pixels[k]) >= apart &&
+                                                   distance(pixels[shown.front()], pixels[k]) >= apart);
+            if (isInView(pixels[k]) && isRoomy) {
+                shown.push_back(k);
+            }
+        }
+        if (shown.empty()) {
+            break;
+        }
+    }
+    for (const std::size_t k : shown) {
+        marks.handles.add(std::array{pixels[k]});
+    }
+    const std::size_t edges = closed ? pixels.size() : pixels.size() - 1;
+    std::size_t middles = 0;
+    for (std::size_t k = 0; k < edges && middles < kMostHandles; ++k) {
+        const MapPoint next = pixels[k + 1 == pixels.size() ? 0 : k + 1];
+        const MapPoint middle{(pixels[k].x + next.x) / 2.0F, (pixels[k].y + next.y) / 2.0F};
+        if (isInView(middle) && distance(pixels[k], next) >= kEdgeWithMiddlePx) {
+            marks.adds.add(std::array{middle});
+            ++middles;
+        }
     }
 }
 
@@ -305,6 +348,10 @@ void EditLayer::addSelection(Marks& marks) const {
                    !editor_->isDragging()) {
             marks.snap.add(edgeOf(hovered->index));
         }
+        const bool isSelected = chosen.outline == outline.id && chosen.isOutline();
+        if (isSelected && !pixels.empty()) {
+            addHandles(marks, pixels, outline.closed);
+        }
         addVertices(marks, outline.id, pixels);
     }
     if (const auto middle = editor_->midpointHandle()) {
@@ -358,6 +405,8 @@ QSGNode* EditLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
     root->set(EditRoot::Snap, shown.snap, {.color = accentColor_, .widthPx = 4.0}, ratio);
     root->set(EditRoot::HandleEdge, shown.handles, {.color = casingColor_, .widthPx = 9.0}, ratio);
     root->set(EditRoot::HandleFace, shown.handles, {.color = handleColor_, .widthPx = 6.4}, ratio);
+    root->set(EditRoot::AddEdge, shown.adds, {.color = casingColor_, .widthPx = 7.4}, ratio);
+    root->set(EditRoot::AddFace, shown.adds, {.color = accentColor_, .widthPx = 5.0}, ratio);
     root->set(EditRoot::MiddleFace, shown.middles, {.color = accentColor_, .widthPx = 9.0}, ratio);
     root->set(EditRoot::ActiveEdge, shown.active, {.color = handleColor_, .widthPx = 17.0}, ratio);
     root->set(EditRoot::ActiveFace, shown.active, {.color = accentColor_, .widthPx = 13.0}, ratio);

@@ -56,6 +56,8 @@ private:
     struct Marks;
     Marks marks() const;
     void addSelection(Marks& marks) const;
+    /// Vertices and middles of edges of the outline that is selected.
+    void addHandles(Marks& marks, const std::vector<MapPoint>& pixels, bool closed) const;
     /// Those of one outline that are selected or near the pointer.
     void addVertices(Marks& marks, const OutlineId& id, const std::vector<MapPoint>& pixels) const;
     void addSketch(Marks& marks) const;

@@ -46,13 +46,23 @@ void FieldEditor::setDocument(Document* document) {
 void FieldEditor::setShown(ShownPlan* shown) {
     shown_ = shown;
     connect(shown_, &ShownPlan::drawingChanged, this, &FieldEditor::changed);
-    connect(shown_, &ShownPlan::planChanged, this, [this] {
-        // Segments, cells and findings of another plan are other ones.
-        if (selection_.kind >= Selection::Kind::Segment) {
-            select({});
-        }
-    });
+    connect(shown_, &ShownPlan::planChanged, this, &FieldEditor::followPlan);
     emit shownChanged();
+}
+
+void FieldEditor::followPlan() {
+    const auto before = std::exchange(plan_, shown_->plan());
+    if (selection_.kind < Selection::Kind::Segment) {
+        return;
+    }
+    // Segments, cells and findings of another plan are other ones. Where it is only better than a first one,
+    // the stretch that the user looks at is mostly in it, too.
+    std::optional<std::size_t> same;
+    if (before && plan_ && before->request.draft && selection_.kind == Selection::Kind::Segment &&
+        selection_.index < before->path.segments.size()) {
+        same = sameStretch(before->path.segments[selection_.index], plan_->path);
+    }
+    selectSegment(same ? static_cast<int>(*same) : -1);
 }
 
 bool FieldEditor::isAhead() const {
@@ -171,9 +181,13 @@ bool FieldEditor::press(const Pointer& pointer) {
         return false;
     }
     const Point place = local(pointer.place);
-    const auto middle = midpointHandle();
+    auto middle = midpointHandle();
     const auto buffer = bufferHandle();
     hover(pointer);
+    if (!middle && hovered_ && selection_.isOutline() && selection_.outline == hovered_->outline) {
+        // A finger hovers over nothing before; the handles of what is selected are there for it to see.
+        middle = midpointHandle();
+    }
     const auto within = [&](const std::optional<Point>& handle) {
         return handle && distance(*handle, place) <= pointer.reach.si();
     };

@@ -183,6 +183,8 @@ private:
     const Outline* selectedOutline() const;
     Point local(GeoPoint place) const { return frame_->toLocal(place); }
     void follow();
+    /// Another plan is shown.
+    void followPlan();
     void pickFromPlan(const Pointer& pointer);
     /// Where the pointer is drawn to: `beside` are the vertices that angles are taken at.
     Point snappedTo(const Pointer& pointer, std::span<const SnapLine> lines,
@@ -200,6 +202,7 @@ private:
 
     Document* document_ = nullptr;
     ShownPlan* shown_ = nullptr;
+    std::shared_ptr<const Plan> plan_;  ///< that was shown last
     Tool tool_ = Tool::Select;
     bool freehand_ = false;
     std::string fieldId_;

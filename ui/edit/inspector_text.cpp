@@ -1,6 +1,7 @@
 #include "ui/edit/inspector_text.h"
 
 #include "planner/editing/outline_edits.h"
+#include "planner/path/tank_levels.h"
 #include "planner/path/turn_shape.h"
 #include "planner/units/angle.h"
 #include "ui/text/message_text.h"
@@ -176,6 +177,25 @@ void addTurn(InspectorText& text, const Plan& plan, std::size_t index) {
     }
 }
 
+/// A part of the way to a refill point, or of the way back.
+void addRefill(InspectorText& text, const Plan& plan, std::size_t index) {
+    const PathSegment& segment = plan.path.segments[index];
+    const bool unloads = plan.refill && plan.refill->work.gathers;
+    text.title = !leadsToRefill(plan.path.segments, index) ? Words::tr("Way back to work")
+                 : unloads                                 ? Words::tr("Way to unload")
+                                                           : Words::tr("Way to refill");
+    text.sentence = Words::tr("%1 without working, in %2.")
+                        .arg(metresText(segment.length(), 1), exactDurationText(segment.duration()));
+    const auto& tank = plan.request.machine.spec().tank;
+    if (const auto level = segment.samples.front().level; level && tank && tank->capacity > 0.0) {
+        text.rows.push_back(figure(unloads ? Words::tr("In the bunker") : Words::tr("In the tank"),
+                                   inOneLine({numberText(*level, 0), percentText(*level / tank->capacity)})));
+    }
+    if (segment.refills && tank) {
+        text.rows.push_back(figure(Words::tr("Then stands"), exactDurationText(tank->fillTime())));
+    }
+}
+
 InspectorText segmentText(const Plan& plan, std::size_t index) {
     const PathSegment& segment = plan.path.segments[index];
     const PathSegment* before = plan.path.workBefore(index);
@@ -219,8 +239,8 @@ InspectorText segmentText(const Plan& plan, std::size_t index) {
                                 : Words::tr("%1 with the implement up, in %2.").arg(length, time);
             addTurn(text, plan, index);
             break;
+        case SegmentKind::Refill: addRefill(text, plan, index); break;
         case SegmentKind::Transfer:
-        case SegmentKind::Refill:
         case SegmentKind::Wait:
             text.title = Words::tr("Way from %1 to %2").arg(called(before), called(after));
             text.sentence = Words::tr("%1 without working, in %2.").arg(length, time);

@@ -20,6 +20,11 @@ public:
     OutlineId outline;      ///< of a vertex, an edge, a hole, an obstacle, a guide, a split line
     std::size_t index = 0;  ///< vertex, edge, gate, segment of the path, cell, finding
 
+    /// Of an outline, or something on it.
+    bool isOutline() const {
+        return kind == Kind::Vertex || kind == Kind::Edge || kind == Kind::Hole || kind == Kind::Obstacle ||
+               kind == Kind::Guide || kind == Kind::Split;
+    }
     bool isNone() const { return kind == Kind::None; }
     bool isOf(Kind of, const OutlineId& id, std::size_t at) const {
         return kind == of && outline == id && index == at;

@@ -58,6 +58,36 @@ private slots:
         key(Qt::Key_Escape);
         QTRY_VERIFY(!editor()->hasSelection());
     }
+    /// Also without the pointer near them, and none where they would lie on each other.
+    void handlesOfWhatIsSelectedAreSeen() {
+        DRAW_FIELD();
+        const auto looksLike = [this](QPoint at, const QColor& color) {
+            const QColor there = window_->grabWindow().pixelColor(at);
+            return std::abs(there.red() - color.red()) < 30 && std::abs(there.green() - color.green()) < 30 &&
+                   std::abs(there.blue() - color.blue()) < 30;
+        };
+        const QColor white{0xFF, 0xFF, 0xFF};
+        const QColor accent{0x1B, 0x6B, 0x43};
+        QTest::mouseMove(window_, middle());
+        key(Qt::Key_Escape);
+        QVERIFY(!looksLike(cornerOnMap(2), white));
+        key(Qt::Key_Space);
+        QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Vertex);
+        const std::size_t chosen = editor()->selection().index;
+        const QPoint other = cornerOnMap((chosen + 2) % 4);
+        const QPoint edge = (other + cornerOnMap((chosen + 3) % 4)) / 2;
+        QTRY_VERIFY(looksLike(other, white));
+        QVERIFY(looksLike(edge, accent));
+        picture(QStringLiteral("handles"));
+        // The handle that is seen is the one that is dragged.
+        const std::size_t points = source().parts.front().outer.size();
+        drag(edge, edge + QPoint{0, edge.y() > middle().y() ? 30 : -30});
+        QTRY_COMPARE(source().parts.front().outer.size(), points + 1);
+        // Seen from afar the field is a speck of some 20 pixels.
+        camera()->zoomAt(QPointF(map()->width() / 2, map()->height() / 2), -4.3, false);
+        QTRY_VERIFY(std::abs(cornerOnMap(0).x() - cornerOnMap(1).x()) < 30);
+        picture(QStringLiteral("handles_afar"));
+    }
     void anEdgeIsDraggedAndItsMiddleBends() {
         DRAW_FIELD();
         const QPoint a = cornerOnMap(0);
@@ -126,6 +156,8 @@ private slots:
             const QColor colour = picture.pixelColor(at);
             return colour.red() > 235 && colour.green() > 185 && colour.blue() < 90;
         };
+        // Beside the handle in the middle of the edge.
+        const auto onEdge = [beside](QPoint corner) { return corner + (beside - corner) / 3; };
         QTest::mouseMove(window_, from);
         QTest::mousePress(window_, Qt::LeftButton, Qt::AltModifier, from);
         for (int i = 1; i <= 8; ++i) {
@@ -137,8 +169,8 @@ private slots:
             QDir{}.mkpath(QStringLiteral(FURROW_SCREENSHOT_DIR));
             picture.save(QStringLiteral(FURROW_SCREENSHOT_DIR "/drag-%1.png")
                              .arg(held ? QStringLiteral("held") : QStringLiteral("let-go")));
-            QVERIFY2(isBoundary(picture, (cornerOnMap(1) + beside) / 2), held ? "dragged" : "let go");
-            QVERIFY2(!isBoundary(picture, (from + beside) / 2),
+            QVERIFY2(isBoundary(picture, onEdge(cornerOnMap(1))), held ? "dragged" : "let go");
+            QVERIFY2(!isBoundary(picture, onEdge(from)),
                      held ? "dragged, where it was" : "let go, where it was");
             if (held) {
                 QTest::mouseRelease(window_, Qt::LeftButton, Qt::AltModifier, to);
@@ -146,8 +178,7 @@ private slots:
         }
         ready();
         const QImage picture = window_->grabWindow();
-        QVERIFY(isBoundary(picture, (cornerOnMap(1) + beside) / 2) &&
-                !isBoundary(picture, (from + beside) / 2));
+        QVERIFY(isBoundary(picture, onEdge(cornerOnMap(1))) && !isBoundary(picture, onEdge(from)));
     }
     void theMapStillMovesBesideTheField() {
         DRAW_FIELD();
