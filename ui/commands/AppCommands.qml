@@ -24,6 +24,7 @@ QtObject {
     required property MapPage page
     required property LayersPanel layersPanel
     required property ScaleSetting scaleSetting
+    required property bool twoMaps
     signal newRequested()
     signal openRequested()
     signal saveRequested()
@@ -32,13 +33,16 @@ QtObject {
     signal printRequested()
     signal bestPlanRequested()
     signal findingRequested(by: int)
+    signal findingOfKindRequested(by: int)
     signal commentRequested(atPlace: bool)
     signal sendRequested()
     signal takeInRequested()
     signal driveBarRequested(on: bool)
     signal driveRequested(segment: int)
     signal trackRequested()
+    signal fieldFromTrackRequested()
     signal compareRequested()
+    signal twoMapsRequested()
     signal farmRequested()
     signal renameFieldRequested()
     signal addPlanRequested()
@@ -234,6 +238,13 @@ QtObject {
             keywords: qsTr("boundary polygon")
             onTriggered: root.page.startDrawing()
         },
+        Command {
+            objectName: "command.fieldFromTrack"
+            group: root.fieldGroup
+            text: qsTr("Make a field from a recorded track…")
+            keywords: qsTr("boundary driven recorded GPX NMEA log drive around")
+            onTriggered: root.fieldFromTrackRequested()
+        },
         ToolCommand {
             objectName: "command.hole"
             tool: FieldEditor.Hole
@@ -325,12 +336,22 @@ QtObject {
             onTriggered: root.compareRequested()
         },
         Command {
+            objectName: "command.twoMaps"
+            group: root.planGroup
+            text: qsTr("Compare on two maps")
+            shortcut: "Ctrl+Shift+D"
+            keywords: qsTr("compare side by side split map")
+            checkable: true
+            checked: root.twoMaps
+            enabled: root.shown.hasPlan
+            onTriggered: root.twoMapsRequested()
+        },
+        Command {
             objectName: "command.track"
             group: root.planGroup
             text: qsTr("Compare with a recorded track…")
             shortcut: "Ctrl+T"
             keywords: qsTr("driven recorded GPX NMEA log cross-track error compare")
-            enabled: root.shown.hasPlan
             onTriggered: root.trackRequested()
         },
         Command {
@@ -472,6 +493,24 @@ QtObject {
             keywords: qsTr("problem check step back")
             enabled: root.shown.hasPlan
             onTriggered: root.findingRequested(-1)
+        },
+        Command {
+            objectName: "command.nextOfKind"
+            group: root.planGroup
+            text: qsTr("Next finding of the same kind")
+            shortcut: "Ctrl+F8"
+            keywords: qsTr("problem check step through")
+            enabled: root.shown.hasPlan
+            onTriggered: root.findingOfKindRequested(1)
+        },
+        Command {
+            objectName: "command.previousOfKind"
+            group: root.planGroup
+            text: qsTr("Previous finding of the same kind")
+            shortcut: "Ctrl+Shift+F8"
+            keywords: qsTr("problem check step back")
+            enabled: root.shown.hasPlan
+            onTriggered: root.findingOfKindRequested(-1)
         },
         Command {
             objectName: "command.fit"

@@ -9,7 +9,10 @@ SidePanel {
     required property PlanComparison comparison
     /// The other plan is on the map, for as long as its button or key is held.
     readonly property bool holding: hold.pressed
+    /// Each plan on a map of its own.
+    property bool twoMaps: false
     signal variantRequested()
+    signal twoMapsChosen(on: bool)
 
     title: qsTr("Compare")
     closeName: "compare.close"
@@ -51,6 +54,23 @@ SidePanel {
             chosen: root.comparison.chosen
             onActivated: index => root.comparison.chosen = index
         }
+    }
+    CheckRow {
+        objectName: "compare.twoMaps"
+        width: parent.width
+        leftPadding: 0
+        text: qsTr("Two maps side by side (Ctrl+Shift+D)")
+        checked: root.twoMaps
+        onToggled: root.twoMapsChosen(checked)
+    }
+    PushButton {
+        id: hold
+
+        objectName: "compare.hold"
+        width: parent.width
+        visible: !root.twoMaps
+        enabled: root.comparison.ready
+        text: qsTr("Hold to see the other plan (key X)")
     }
     SmallButton {
         x: -6
@@ -165,17 +185,24 @@ SidePanel {
             text: root.comparison.swathsText
             wrapMode: Text.WordWrap
         }
-        Caption {
-            width: parent.width
-            text: qsTr("On the map: full lines only in this plan, dashes only in the other.")
-            wrapMode: Text.WordWrap
-        }
-        PushButton {
-            id: hold
+        Repeater {
+            model: root.comparison.drivenTexts
 
-            objectName: "compare.hold"
+            BodyText {
+                required property string modelData
+                required property int index
+
+                objectName: "compare.driven." + index
+                width: root.bodyWidth
+                text: modelData
+                wrapMode: Text.WordWrap
+            }
+        }
+        Caption {
+            objectName: "compare.legend"
             width: parent.width
-            text: qsTr("Hold to see the other plan (key X)")
+            text: root.twoMaps ? qsTr("On the maps, swaths, headland passes and turns are coloured that the other plan has not: full lines in this plan, dashes in the other.") : qsTr("On the map, swaths, headland passes and turns: full lines only in this plan, dashes only in the other.")
+            wrapMode: Text.WordWrap
         }
     }
     Column {

@@ -5,6 +5,7 @@
 
 #include <QSGTransformNode>
 
+#include <array>
 #include <utility>
 
 namespace furrow {
@@ -15,12 +16,15 @@ namespace {
 class DifferenceScene : public QSGTransformNode {
 public:
     DifferenceScene() {
-        for (QSGNode* node : std::initializer_list<QSGNode*>{casing, first, second}) {
+        for (LineNode* node : all()) {
             appendChildNode(node);
         }
     }
+    std::array<LineNode*, 5> all() const { return {casing, firstDriven, secondDriven, first, second}; }
 
     LineNode* const casing = new LineNode;
+    LineNode* const firstDriven = new LineNode;
+    LineNode* const secondDriven = new LineNode;
     LineNode* const first = new LineNode;
     LineNode* const second = new LineNode;
 };
@@ -34,6 +38,14 @@ LineMesh meshOf(const Plan& plan, const std::vector<std::size_t>& swaths, const 
             line.push_back(frame.map(sample.pose.position));
         }
         mesh.add(line);
+    }
+    return mesh;
+}
+
+LineMesh meshOf(const std::vector<DifferentStretch>& stretches, const MapFrame& frame) {
+    LineMesh mesh;
+    for (const DifferentStretch& stretch : stretches) {
+        mesh.add(frame.map(stretch.line));
     }
     return mesh;
 }
@@ -80,13 +92,26 @@ QSGNode* DifferenceLayer::updatePaintNode(QSGNode* old, UpdatePaintNodeData*) {
         scene->casing->setMesh(first);
         scene->first->setMesh(first);
         scene->second->setMesh(meshOf(*comparison_->second(), difference.onlyInSecond, frame));
+        scene->firstDriven->setMesh(meshOf(difference.drivenOnlyInFirst, frame));
+        scene->secondDriven->setMesh(meshOf(difference.drivenOnlyInSecond, frame));
     }
+    const double swathPx = 2.2 * lineFactor_;
+    // Turns are many and short: thinner than what is worked.
+    const double drivenPx = 1.6 * lineFactor_;
     scene->casing->setStyle({.color = casingColor_, .widthPx = 4.0 * lineFactor_});
-    scene->first->setStyle({.color = firstColor_, .widthPx = 2.2 * lineFactor_});
-    scene->second->setStyle(
-        {.color = secondColor_, .widthPx = 2.2 * lineFactor_, .dashPx = 7.0, .periodPx = 12.0});
+    scene->first->setStyle({.color = firstColor_, .widthPx = swathPx});
+    scene->firstDriven->setStyle({.color = firstColor_, .widthPx = drivenPx});
+    scene->second->setStyle({.color = secondColor_, .widthPx = swathPx, .dashPx = 7.0, .periodPx = 12.0});
+    scene->secondDriven->setStyle(
+        {.color = secondColor_, .widthPx = drivenPx, .dashPx = 5.0, .periodPx = 9.0});
+    for (LineNode* line : {scene->casing, scene->first, scene->firstDriven}) {
+        line->setShown(showFirst_);
+    }
+    for (LineNode* line : {scene->second, scene->secondDriven}) {
+        line->setShown(showSecond_);
+    }
     scene->setMatrix(matrixFor(frame.origin()));
-    for (LineNode* line : {scene->casing, scene->first, scene->second}) {
+    for (LineNode* line : scene->all()) {
         line->setScale(pixelsPerUnit(), devicePixelRatio());
     }
     return scene;

@@ -8,8 +8,8 @@
 
 namespace furrow {
 
-/// Draws the swaths that only one of two plans has: full lines for the plan that is shown, dashes for the
-/// other one.
+/// Draws the swaths, headland passes and turns that only one of two plans has: full lines for the plan that
+/// is shown, dashes for the other one.
 class DifferenceLayer : public MapLayer {
     Q_OBJECT
     QML_ELEMENT
@@ -18,6 +18,9 @@ class DifferenceLayer : public MapLayer {
     Q_PROPERTY(QColor firstColor MEMBER firstColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor secondColor MEMBER secondColor_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor casingColor MEMBER casingColor_ NOTIFY styleChanged FINAL)
+    /// Those that only the one plan has; those that only the other one has.
+    Q_PROPERTY(bool showFirst MEMBER showFirst_ NOTIFY styleChanged FINAL)
+    Q_PROPERTY(bool showSecond MEMBER showSecond_ NOTIFY styleChanged FINAL)
     Q_PROPERTY(double lineFactor MEMBER lineFactor_ NOTIFY styleChanged FINAL)
 
 public:
@@ -40,6 +43,8 @@ private:
     QColor firstColor_;
     QColor secondColor_;
     QColor casingColor_;
+    bool showFirst_ = true;
+    bool showSecond_ = true;
     double lineFactor_ = 1.0;
 };
 

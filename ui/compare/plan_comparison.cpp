@@ -22,6 +22,7 @@ QString labelOf(Figure figure) {
         case Figure::Path: return PlanComparison::tr("Path");
         case Figure::Working: return PlanComparison::tr("Working");
         case Figure::Turning: return PlanComparison::tr("Turning");
+        case Figure::Mainland: return PlanComparison::tr("Inside the headland");
         case Figure::Swaths: return PlanComparison::tr("Swaths");
         case Figure::Covered: return PlanComparison::tr("Covered");
         case Figure::Missed: return PlanComparison::tr("Missed");
@@ -43,6 +44,7 @@ QString figureText(Figure figure, std::optional<double> value) {
         case Figure::Working:
         case Figure::Turning:
         case Figure::Reversed: return lengthText(metres(*value));
+        case Figure::Mainland:
         case Figure::Covered:
         case Figure::Missed:
         case Figure::Overlap:
@@ -80,6 +82,7 @@ PlanComparison::PlanComparison(Document& document, ShownPlan& shown, FarmModel& 
     connect(&document_, &Document::projectChanged, this, &PlanComparison::follow);
     connect(&shown_, &ShownPlan::planChanged, this, &PlanComparison::follow);
     connect(&runner_, &JobRunner::busyChanged, this, &PlanComparison::changed);
+    connect(&comparer_, &JobRunner::busyChanged, this, &PlanComparison::changed);
     connect(&runner_, &JobRunner::progressChanged, this, &PlanComparison::progressChanged);
     connect(&Display::instance(), &Display::changed, this, &PlanComparison::changed);
 }
@@ -161,14 +164,16 @@ void PlanComparison::follow() {
     const std::string key = planKey(*source, *plan);
     if (key != std::exchange(key_, key)) {
         // Before anybody is told that the runner is busy.
-        difference_.reset();
+        comparer_.cancel();
+        compared_.reset();
         second_.reset();
         drawing_ = {};
         trouble_ = {};
         runner_.submit([this, source, machine = plan->machine,
                         settings = plan->settings](const JobContext& job) -> JobRunner::Delivery {
             StageCache cache;
-            PlanOutcome outcome = planned(source, nullptr, machine, settings, false, nullptr, cache, job);
+            PlanOutcome outcome =
+                planned({.source = source, .machine = machine, .settings = settings}, cache, job);
             return [this, outcome = std::move(outcome)] {
                 second_ = outcome.plan;
                 drawing_ = outcome.drawing;
@@ -188,10 +193,19 @@ void PlanComparison::follow() {
 }
 
 void PlanComparison::compare() {
-    first_ = shown_.isDraft() ? nullptr : shown_.plan();
-    difference_.reset();
-    if (first_ != nullptr && second_ != nullptr) {
-        difference_ = differenceOf(*first_, *second_);
+    const std::shared_ptr<const Plan> first = shown_.isDraft() ? nullptr : shown_.plan();
+    if (first == nullptr || second_ == nullptr) {
+        comparer_.cancel();
+        compared_.reset();
+    } else if (compared_ == nullptr || compared_->first != first || compared_->second != second_) {
+        comparer_.submit([this, first, second = second_](const JobContext&) -> JobRunner::Delivery {
+            auto compared = std::make_shared<const Compared>(
+                Compared{.first = first, .second = second, .difference = differenceOf(*first, *second)});
+            return [this, compared] {
+                compared_ = compared;
+                emit changed();
+            };
+        });
     }
     emit changed();
 }
@@ -202,17 +216,17 @@ QVariantList PlanComparison::figures() const {
         return rows;
     }
     for (const Figure figure : kFigures) {
-        const auto mine = figureOf(*first_, figure);
-        const auto its = figureOf(*second_, figure);
-        const QString first = figureText(figure, mine);
-        const QString second = figureText(figure, its);
+        const auto mine = figureOf(*first(), figure);
+        const auto its = figureOf(*second(), figure);
+        const QString left = figureText(figure, mine);
+        const QString right = figureText(figure, its);
         rows.push_back(
             QVariantMap{{QStringLiteral("label"), labelOf(figure)},
-                        {QStringLiteral("first"), first},
-                        {QStringLiteral("second"), second},
+                        {QStringLiteral("first"), left},
+                        {QStringLiteral("second"), right},
                         {QStringLiteral("difference"), differenceText(figure, mine, its)},
                         // What reads the same is the same.
-                        {QStringLiteral("better"), first == second ? 0 : better(figure, mine, its)}});
+                        {QStringLiteral("better"), left == right ? 0 : better(figure, mine, its)}});
     }
     return rows;
 }
@@ -227,14 +241,14 @@ QVariantList PlanComparison::settings() const {
                                    {QStringLiteral("first"), mine},
                                    {QStringLiteral("second"), its}});
     };
-    if (difference_->machine) {
+    if (difference()->machine) {
         const auto machine = [](const Plan& plan) {
             return inOneLine(
                 {shown(plan.request.machine.name()), shortLengthText(plan.request.machine.operatingWidth())});
         };
-        add(tr("Machine"), machine(*first_), machine(*second_));
+        add(tr("Machine"), machine(*first()), machine(*second()));
     }
-    for (const SettingDifference& setting : difference_->settings) {
+    for (const SettingDifference& setting : difference()->settings) {
         add(nameOf(*setting.parameter), shown(shownValue(*setting.parameter, setting.first)),
             shown(shownValue(*setting.parameter, setting.second)));
     }
@@ -245,10 +259,30 @@ QString PlanComparison::swathsText() const {
     if (!isReady()) {
         return {};
     }
-    const auto elsewhere = static_cast<int>(difference_->onlyInSecond.size());
-    return difference_->onlyInFirst.empty() && elsewhere == 0
+    const auto elsewhere = static_cast<int>(difference()->onlyInSecond.size());
+    return difference()->onlyInFirst.empty() && elsewhere == 0
                ? tr("All swaths lie in the same places.")
                : tr("%n swath(s) of the other plan lie elsewhere.", nullptr, elsewhere);
+}
+
+QStringList PlanComparison::drivenTexts() const {
+    QStringList texts;
+    if (!isReady()) {
+        return texts;
+    }
+    for (const bool worked : {true, false}) {
+        const Length mine = lengthOf(difference()->drivenOnlyInFirst, worked);
+        const Length its = lengthOf(difference()->drivenOnlyInSecond, worked);
+        if (mine > Length{} || its > Length{}) {
+            texts << (worked ? tr("Headland passes: %1 only in this plan, %2 only in the other.")
+                             : tr("Turns and ways: %1 only in this plan, %2 only in the other."))
+                         .arg(lengthText(mine), lengthText(its));
+        } else {
+            texts << (worked ? tr("All headland passes lie in the same places.")
+                             : tr("All turns and ways lie in the same places."));
+        }
+    }
+    return texts;
 }
 
 void PlanComparison::takeSecond() {

@@ -28,6 +28,7 @@ class PlanComparison : public QObject {
     Q_PROPERTY(QStringList choices READ choices NOTIFY changed FINAL)
     Q_PROPERTY(int chosen READ chosen WRITE choose NOTIFY changed FINAL)
     Q_PROPERTY(QString firstName READ firstName NOTIFY changed FINAL)
+    Q_PROPERTY(QString secondName READ secondName NOTIFY changed FINAL)
     Q_PROPERTY(bool busy READ isBusy NOTIFY changed FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
     /// Both plans are there.
@@ -40,6 +41,8 @@ class PlanComparison : public QObject {
     Q_PROPERTY(QVariantList settings READ settings NOTIFY changed FINAL)
     /// How many swaths lie elsewhere.
     Q_PROPERTY(QString swathsText READ swathsText NOTIFY changed FINAL)
+    /// How much of headland passes and turns does; one sentence each.
+    Q_PROPERTY(QStringList drivenTexts READ drivenTexts NOTIFY changed FINAL)
     /// Of the other plan.
     Q_PROPERTY(furrow::PlanDrawing drawing READ drawing NOTIFY changed FINAL)
 
@@ -52,19 +55,21 @@ public:
     int chosen() const;
     void choose(int choice);
     QString firstName() const;
-    bool isBusy() const { return runner_.isBusy(); }
+    QString secondName() const { return choices().value(chosen()); }
+    bool isBusy() const { return runner_.isBusy() || comparer_.isBusy(); }
     double progress() const { return runner_.progress(); }
-    bool isReady() const { return difference_.has_value(); }
+    bool isReady() const { return compared_ != nullptr; }
     QString trouble() const { return text(trouble_); }
     QVariantList figures() const;
     QVariantList settings() const;
     QString swathsText() const;
+    QStringList drivenTexts() const;
     PlanDrawing drawing() const { return drawing_; }
 
     /// Null unless both plans are there.
-    const Plan* first() const { return isReady() ? first_.get() : nullptr; }
-    const Plan* second() const { return isReady() ? second_.get() : nullptr; }
-    const std::optional<PlanDifference>& difference() const { return difference_; }
+    const Plan* first() const { return isReady() ? compared_->first.get() : nullptr; }
+    const Plan* second() const { return isReady() ? compared_->second.get() : nullptr; }
+    const PlanDifference* difference() const { return isReady() ? &compared_->difference : nullptr; }
 
     /// Goes on with the other plan: shows it, or takes the standard settings as one step to undo.
     Q_INVOKABLE void takeSecond();
@@ -74,11 +79,18 @@ signals:
     void progressChanged();
 
 private:
+    struct Compared {
+        std::shared_ptr<const Plan> first;
+        std::shared_ptr<const Plan> second;
+        PlanDifference difference;
+    };
+
     /// What the other plan is made of; nothing without a field.
     std::optional<FieldPlan> wanted() const;
     /// By index in the field; empty for the standard settings.
     std::optional<std::size_t> planIndex(int choice) const;
     void follow();
+    /// In the background where both plans are there; what was compared before stays until then.
     void compare();
 
     Document& document_;
@@ -90,12 +102,12 @@ private:
     bool chosenByUser_ = false;
     /// What the other plan, or the trouble, is of.
     std::string key_;
-    std::shared_ptr<const Plan> first_;
     std::shared_ptr<const Plan> second_;
     PlanDrawing drawing_;
     LazyText trouble_;
-    std::optional<PlanDifference> difference_;
+    std::shared_ptr<const Compared> compared_;
     JobRunner runner_;
+    JobRunner comparer_;
 };
 
 }  // namespace furrow

@@ -4,7 +4,7 @@ import QtQuick.Templates as T
 import Furrow.Controls
 import Furrow.Plan
 
-/// A plan on its way out: to a stick for a terminal, or as files in a folder.
+/// A plan, or those of several fields, on their way out: to a stick for a terminal, or as files in a folder.
 T.Popup {
     id: root
 
@@ -51,7 +51,7 @@ T.Popup {
             spacing: 14
 
             BodyText {
-                text: qsTr("Export the plan")
+                text: root.exporter.several ? qsTr("Export fields") : qsTr("Export the plan")
                 font.pixelSize: 18
                 font.weight: Font.DemiBold
             }
@@ -102,14 +102,14 @@ T.Popup {
             }
             PushButton {
                 objectName: "export.planAgain"
-                visible: root.planning.state === PlanState.OutOfDate
+                visible: !root.exporter.several && root.planning.state === PlanState.OutOfDate
                 text: qsTr("Plan again")
                 onClicked: root.planning.planAgain()
             }
             NoticeBar {
                 objectName: "export.blocking"
                 width: parent.width
-                visible: root.planning.state === PlanState.Problems
+                visible: !root.exporter.several && root.planning.state === PlanState.Problems
                 text: qsTr("%n problem(s) in this plan: it cannot be driven as drawn. The files say so too.", "", root.planning.problemCount)
             }
         }
@@ -157,6 +157,7 @@ T.Popup {
                     width: parent.width
                     visible: inFolder.checked
                     exporter: root.exporter
+                    onFinished: scroller.contentY = Math.max(0, scroller.contentHeight - scroller.height)
                     // Not two things that scroll, one in the other, where there is little room.
                     roomForFormats: windowHeight < 480 ? 1e6 : Math.max(160, windowHeight - 430)
                 }
@@ -170,10 +171,12 @@ T.Popup {
 
             PushButton {
                 objectName: "export.close"
-                text: root.done ? qsTr("Close") : qsTr("Cancel")
+                text: root.writing ? qsTr("Stop") : root.done ? qsTr("Close") : qsTr("Cancel")
                 onClicked: {
                     if (root.stick.state === StickExport.Writing)
                         root.stick.cancel();
+                    else if (root.exporter.state === ExportModel.Writing)
+                        root.exporter.cancel();
                     else
                         root.close();
                 }

@@ -1,8 +1,8 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Dialogs
 import QtQuick.Templates as T
 import Furrow.Controls
+import Furrow.Files
 
 /// Which files a plan is written to, and in which folder.
 Column {
@@ -12,6 +12,8 @@ Column {
     /// What the list of formats may take of the window's height.
     required property real roomForFormats
     readonly property bool canWrite: exporter.state !== ExportModel.Writing && folder.text.length > 0
+
+    signal finished()
 
     /// As suggested last: what the user chose is kept, but not for another field.
     property string suggested: ""
@@ -39,6 +41,17 @@ Column {
         function onPlanChanged(): void {
             root.suggest();
         }
+        function onStateChanged(): void {
+            if (root.exporter.several && (root.exporter.state === ExportModel.Done || root.exporter.state === ExportModel.Failed))
+                Qt.callLater(root.finished);
+        }
+    }
+    BodyText {
+        width: parent.width
+        visible: root.exporter.several
+        text: qsTr("Fields without a plan are planned on the way. Each field gets a folder of its own; ISOXML and AgGPS hold all fields in one.")
+        color: Theme.muted
+        wrapMode: Text.WordWrap
     }
     ListView {
         id: list
@@ -132,6 +145,12 @@ Column {
             }
         }
     }
+    ProgressLine {
+        objectName: "export.progress"
+        width: parent.width
+        visible: root.exporter.several && root.exporter.state === ExportModel.Writing
+        value: root.exporter.progress
+    }
     NoticeBar {
         objectName: "export.problem"
         width: parent.width
@@ -160,7 +179,7 @@ Column {
         objectName: "export.written"
         x: 28
         width: parent.width - 28
-        visible: root.exporter.state === ExportModel.Done
+        visible: root.exporter.state === ExportModel.Done && text.length > 0
         text: root.exporter.written
         wrapMode: Text.WordWrap
         lineHeight: 1.15
@@ -172,15 +191,24 @@ Column {
         problems: root.exporter.problems
     }
     NoticeBar {
+        objectName: "export.failures"
+        width: parent.width
+        visible: text.length > 0
+        failed: true
+        text: root.exporter.failures.join("\n")
+    }
+    NoticeBar {
         objectName: "export.notes"
         width: parent.width
         visible: root.exporter.state === ExportModel.Done && root.exporter.notes.length > 0
         text: root.exporter.notes.join("\n")
     }
 
-    FolderDialog {
+    FileChooser {
         id: folderDialog
 
+        objectName: "exportFolderDialog"
+        fileMode: FileChooser.Folder
         title: qsTr("Folder for the plan")
         onAccepted: folder.text = root.exporter.pathOf(selectedFolder)
     }

@@ -1,8 +1,8 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Dialogs
 import QtQuick.Templates as T
 import Furrow.Controls
+import Furrow.Files
 
 /// For which terminal a plan is written, to which stick, and what became of it.
 Column {
@@ -182,6 +182,13 @@ Column {
         text: root.stick.message
         remedy: root.stick.remedy
     }
+    NoticeBar {
+        objectName: "stick.failures"
+        width: parent.width
+        visible: text.length > 0
+        failed: true
+        text: root.stick.failures.join("\n")
+    }
     Column {
         width: parent.width
         visible: root.stick.state === StickExport.Done
@@ -231,9 +238,11 @@ Column {
         }
     }
 
-    FolderDialog {
+    FileChooser {
         id: folderDialog
 
+        objectName: "stickFolderDialog"
+        fileMode: FileChooser.Folder
         title: qsTr("Folder in the place of a stick")
         onAccepted: root.stick.addFolder(selectedFolder)
     }

@@ -1,5 +1,6 @@
 #include "ui/export/export_model.h"
 
+#include "planner/io/delivery/farm_files.h"
 #include "planner/io/delivery/plan_folder.h"
 #include "planner/io/formats/registry.h"
 #include "ui/text/display.h"
@@ -29,11 +30,14 @@ const Format& formatAt(int row) {
 
 }  // namespace
 
-ExportModel::ExportModel(QObject* parent) : QAbstractListModel{parent} {
+ExportModel::ExportModel(Document& document, QObject* parent)
+    : QAbstractListModel{parent}, document_{document} {
     for (const Format& format : planFormats()) {
         const auto standard = standardPlanFormats();
         checked_.push_back(std::ranges::find(standard, format.id) != standard.end());
     }
+    connect(&runner_, &JobRunner::progressChanged, this, &ExportModel::progressChanged);
+    connect(&stick_, &StickExport::planned, this, &ExportModel::planned);
     connect(&Display::instance(), &Display::changed, this, [this] {
         emit dataChanged(index(0), index(rowCount() - 1));
         emit planChanged();
@@ -47,6 +51,10 @@ void ExportModel::setPlan(const PlanTitle& title, PlanState state) {
     planState_ = state;
     emit planChanged();
     stick_.setPlan(title);
+    if (isSeveral()) {
+        // They go out as they were when they were asked for.
+        return;
+    }
     if (otherPlan && state_ == State::Writing) {
         runner_.cancel();
         setState(State::Failed, stoppedText, stoppedRemedy);
@@ -55,7 +63,34 @@ void ExportModel::setPlan(const PlanTitle& title, PlanState state) {
     }
 }
 
+void ExportModel::setChosen(const QStringList& chosen) {
+    if (state_ == State::Writing) {
+        return;
+    }
+    if (chosen != chosen_) {
+        chosen_ = chosen;
+        clear();
+    }
+    stick_.setFields(fields());
+    emit planChanged();
+}
+
+std::vector<FieldToExport> ExportModel::fields() const {
+    return fieldsToExport(*document_.project(), chosen_, title_.plan);
+}
+
+QString ExportModel::heading() const {
+    return isSeveral() ? tr("%n field(s)", nullptr, static_cast<int>(chosen_.size())) : title_.heading();
+}
+
+QString ExportModel::details() const {
+    return isSeveral() ? namesOf(fields()) : title_.details();
+}
+
 QString ExportModel::refusal() const {
+    if (isSeveral()) {
+        return {};
+    }
     switch (planState_) {
         case PlanState::Ready:
         case PlanState::Problems: return {};
@@ -103,15 +138,19 @@ void ExportModel::setChecked(int row, bool checked) {
 }
 
 QString ExportModel::suggestedFolder() const {
-    QString name = title_ ? fromStd(title_.plan->field().name()).simplified() : QString{};
+    QString name = isSeveral() ? fromStd(document_.project()->name).simplified()
+                   : title_    ? fromStd(title_.plan->field().name()).simplified()
+                               : QString{};
     static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
     name.replace(unsafe, QStringLiteral("_"));
     return QDir{QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}.filePath(
-        name.isEmpty() ? tr("Furrow plan") : tr("Furrow %1").arg(name));
+        !name.isEmpty() ? tr("Furrow %1").arg(name)
+        : isSeveral()   ? tr("Furrow plans")
+                        : tr("Furrow plan"));
 }
 
 void ExportModel::writeTo(const QString& folder) {
-    if (!title_ || folder.trimmed().isEmpty() || state_ == State::Writing) {
+    if ((!title_ && !isSeveral()) || folder.trimmed().isEmpty() || state_ == State::Writing) {
         return;
     }
     std::vector<std::string_view> ids;
@@ -122,6 +161,10 @@ void ExportModel::writeTo(const QString& folder) {
     }
     setState(State::Writing, [] { return tr("Writing …"); });
     const std::filesystem::path path{QDir::cleanPath(folder.trimmed()).toStdU16String()};
+    if (isSeveral()) {
+        writeSeveral(path, ids);
+        return;
+    }
     runner_.submit([this, title = title_, path, ids](const JobContext& job) -> JobRunner::Delivery {
         auto written = writePlanFolder(*title.plan, path, ids, job);
         return [this, title, written = std::move(written), path] {
@@ -134,21 +177,92 @@ void ExportModel::writeTo(const QString& folder) {
                     return tr("%n file(s) written to %1", nullptr, count).arg(place);
                 });
             } else {
-                const Error& error = written.error();
-                const Message what =
-                    error.where.empty() ? error.what : furrow::message("{} ({})", error.what, error.where);
-                setState(
-                    State::Failed, [what] { return sentence(what); },
-                    [remedy = error.remedy] { return sentence(remedy); });
+                fail(written.error());
             }
         };
     });
+}
+
+void ExportModel::writeSeveral(const std::filesystem::path& folder,
+                               const std::vector<std::string_view>& ids) {
+    struct Outcome {
+        FieldsExported exported;
+        int files = 0;
+        std::vector<Message> notes;
+        ExportChecks checks;
+
+        void add(const WrittenFiles& written) {
+            files += static_cast<int>(written.files.size());
+            for (const Message& note : written.notes) {
+                if (!std::ranges::contains(notes, note)) {
+                    notes.push_back(note);
+                }
+            }
+            checks.add(written.checks);
+        }
+    };
+    runner_.submit([this, folder, ids, fields = fields()](const JobContext& job) -> JobRunner::Delivery {
+        Outcome outcome;
+        const auto written = FarmFolder::at(folder, ids)
+                                 .and_then([&](FarmFolder farm) {
+                                     return exportEach(
+                                                fields,
+                                                [&](const Plan& plan, const JobContext& part) {
+                                                    return farm.add(plan, part)
+                                                        .transform([&outcome](const WrittenFiles& files) {
+                                                            outcome.add(files);
+                                                        });
+                                                },
+                                                job.part(0.0, 0.95))
+                                         .and_then([&](const FieldsExported& exported) {
+                                             outcome.exported = exported;
+                                             return farm.finish(job.part(0.95, 1.0));
+                                         });
+                                 })
+                                 .transform([&outcome](const WrittenFiles& files) { outcome.add(files); });
+        return [this, written, outcome, place = QString::fromStdU16String(folder.u16string())] {
+            exported_ = outcome.exported;
+            emit planned(exported_.made);
+            notes_ = outcome.notes;
+            checks_ = outcome.checks;
+            if (!written) {
+                fail(written.error());
+            } else if (outcome.exported.done == 0) {
+                setState(State::Failed, [] { return tr("None of the fields could be exported."); });
+            } else {
+                setState(State::Done, [place, done = outcome.exported.done, files = outcome.files] {
+                    return tr("%n field(s) written to %1", nullptr, done).arg(place) + QStringLiteral(": ") +
+                           tr("%n file(s)", nullptr, files);
+                });
+            }
+        };
+    });
+}
+
+void ExportModel::fail(const Error& error) {
+    const Message what =
+        error.where.empty() ? error.what : furrow::message("{} ({})", error.what, error.where);
+    setState(
+        State::Failed, [what] { return sentence(what); },
+        [remedy = error.remedy] { return sentence(remedy); });
+}
+
+void ExportModel::cancel() {
+    if (state_ == State::Writing) {
+        runner_.cancel();
+        setState(
+            State::Failed, [] { return tr("Writing was stopped."); },
+            [several = isSeveral()] {
+                return several ? tr("Fields that were written before stay in the folder.") : QString{};
+            });
+    }
 }
 
 void ExportModel::clear() {
     written_ = {};
     notes_.clear();
     checks_ = {};
+    exported_ = {};
     setState(State::Idle);
 }
 

@@ -1,8 +1,10 @@
 #include "ui/export/stick_export.h"
 
 #include "planner/io/content/plan_content.h"
+#include "planner/io/delivery/farm_files.h"
 #include "planner/io/delivery/stick_writer.h"
 #include "planner/io/delivery/terminals.h"
+#include "ui/files/sticks.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -38,17 +40,6 @@ const std::vector<const Terminal*>& stickTerminals() {
     return all;
 }
 
-/// Where desktops mount what is plugged in; folders of the system's own disk that are mounted there are none.
-bool isStick(const QStorageInfo& volume) {
-    static const QStringList places{QStringLiteral("/media/"), QStringLiteral("/run/media/"),
-                                    QStringLiteral("/mnt/"), QStringLiteral("/Volumes/")};
-    const bool ready = volume.isValid() && volume.isReady() && !volume.isRoot();
-    const bool disk = volume.device().startsWith("/dev/") && volume.device() != QStorageInfo::root().device();
-    return ready && disk && std::ranges::any_of(places, [&volume](const QString& place) {
-               return volume.rootPath().startsWith(place);
-           });
-}
-
 /// As people call them: Linux says vfat to all kinds of FAT.
 QString fileSystemName(const QByteArray& type) {
     if (type == "vfat" || type == "msdos") {
@@ -68,14 +59,10 @@ QString detailOf(const QString& place, const QStorageInfo& volume) {
     return inOneLine({place, fileSystemName(volume.fileSystemType()), room});
 }
 
-std::vector<StickExport::Stick> pluggedIn() {
+std::vector<StickExport::Stick> sticks() {
     std::vector<StickExport::Stick> all;
-    for (const QStorageInfo& volume : QStorageInfo::mountedVolumes()) {
-        if (isStick(volume)) {
-            const QString label = volume.displayName();
-            all.push_back({volume.rootPath(), label.startsWith(u'/') ? QDir{label}.dirName() : label,
-                           detailOf(volume.rootPath(), volume)});
-        }
+    for (const QStorageInfo& volume : pluggedIn()) {
+        all.push_back({volume.rootPath(), nameOf(volume), detailOf(volume.rootPath(), volume)});
     }
     return all;
 }
@@ -88,6 +75,17 @@ QString joined(const std::vector<std::filesystem::path>& paths) {
     return names.join(QStringLiteral(", "));
 }
 
+/// The files of fields under their names, as far as they can be told before the fields are planned.
+Result<FormatFiles> filesWithoutPlans(const Terminal& terminal, const std::vector<FieldToExport>& fields,
+                                      const JobContext& job) {
+    FarmOnStick farm{terminal};
+    for (const FieldToExport& field : fields) {
+        // One that cannot be written is told when the others are.
+        (void)farm.add(*field.field->source, job);
+    }
+    return farm.files(job);
+}
+
 }  // namespace
 
 QString stoppedText() {
@@ -98,7 +96,7 @@ QString stoppedRemedy() {
     return StickExport::tr("Write it again when the plan is finished.");
 }
 
-StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{pluggedIn} {
+StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{sticks} {
     timer_.setInterval(kLookEveryMs);
     connect(this, &StickExport::terminalChanged, this, &StickExport::textsChanged);
     connect(&Display::instance(), &Display::changed, this, [this] {
@@ -122,7 +120,8 @@ StickExport::StickExport(QObject* parent) : QAbstractListModel{parent}, lister_{
 void StickExport::setPlan(const PlanTitle& title) {
     const bool otherPlan = title.plan != title_.plan;
     title_ = title;
-    if (!otherPlan) {
+    // Several fields go out as they were when they were asked for.
+    if (!otherPlan || !fields_.empty()) {
         return;
     }
     // What was looked at on the stick, or written there, was for another plan.
@@ -135,6 +134,19 @@ void StickExport::setPlan(const PlanTitle& title) {
     if (searching()) {
         examine();
     }
+}
+
+void StickExport::setFields(std::vector<FieldToExport> fields) {
+    if (state_ == State::Writing) {
+        return;
+    }
+    fields_ = std::move(fields);
+    clear();
+    examine();
+}
+
+QString StickExport::writtenPlan() const {
+    return writtenFields_.empty() ? writtenTitle_.whole() : namesOf(writtenFields_);
 }
 
 void StickExport::setSearching(bool searching) {
@@ -279,32 +291,33 @@ void StickExport::examine() {
     warnings_.clear();
     replaces_.clear();
     emit examined();
-    if (!title_ || current_ < 0 || state_ == State::Writing) {
+    if (!hasContent() || current_ < 0 || state_ == State::Writing) {
         return;
     }
     const std::filesystem::path root{chosen().root.toStdU16String()};
     const Terminal* terminal = stickTerminals()[static_cast<std::size_t>(terminal_)];
     // A folder is not what the terminal will read.
     const bool isFolder = chosen().isFolder;
-    runner_.submit(
-        [this, plan = title_.plan, root, terminal, isFolder](const JobContext& job) -> JobRunner::Delivery {
-            const auto stick = openStick(root);
-            std::vector<Message> warnings;
-            if (const auto info = stick->info(); info && !isFolder) {
-                warnings = stickWarnings(*info);
-            }
-            const auto files = terminalFiles(*terminal, *plan, job);
-            const QString replaces = files ? joined(stickConflicts(*stick, *files)) : QString{};
-            return [this, warnings, replaces] {
-                warnings_ = warnings;
-                replaces_ = replaces;
-                emit examined();
-            };
-        });
+    runner_.submit([this, plan = title_.plan, fields = fields_, root, terminal,
+                    isFolder](const JobContext& job) -> JobRunner::Delivery {
+        const auto stick = openStick(root);
+        std::vector<Message> warnings;
+        if (const auto info = stick->info(); info && !isFolder) {
+            warnings = stickWarnings(*info);
+        }
+        const auto files =
+            fields.empty() ? terminalFiles(*terminal, *plan, job) : filesWithoutPlans(*terminal, fields, job);
+        const QString replaces = files ? joined(stickConflicts(*stick, *files)) : QString{};
+        return [this, warnings, replaces] {
+            warnings_ = warnings;
+            replaces_ = replaces;
+            emit examined();
+        };
+    });
 }
 
 void StickExport::write(bool replace) {
-    if (!title_ || current_ < 0 || state_ == State::Writing) {
+    if (!hasContent() || current_ < 0 || state_ == State::Writing) {
         return;
     }
     const std::filesystem::path root{chosen().root.toStdU16String()};
@@ -312,15 +325,35 @@ void StickExport::write(bool replace) {
     Terminal terminal = *stickTerminals()[static_cast<std::size_t>(terminal_)];
     terminal.options.task = task_;
     setState(State::Writing, [] { return tr("Writing …"); });
-    runner_.submit([this, title = title_, root, terminal, isFolder,
+    runner_.submit([this, title = title_, fields = fields_, root, terminal, isFolder,
                     replace](const JobContext& job) -> JobRunner::Delivery {
-        const Plan* const plan = title.plan.get();
-        const std::vector<FieldContent> meant{contentOf(*plan, terminal.options)};
         const auto stick = openStick(root);
-        auto report = terminalFiles(terminal, *plan, job).and_then([&](const FormatFiles& files) {
-            return writeToStick(*stick, files, meant, replace, job);
-        });
-        return [this, title, isFolder, report = std::move(report)] {
+        FieldsExported exported;
+        Result<StickReport> report;
+        if (fields.empty()) {
+            const Plan* const plan = title.plan.get();
+            const std::vector<FieldContent> meant{contentOf(*plan, terminal.options)};
+            report = terminalFiles(terminal, *plan, job).and_then([&](const FormatFiles& files) {
+                return writeToStick(*stick, files, meant, replace, job);
+            });
+        } else {
+            FarmOnStick farm{terminal};
+            const auto addTo = [&farm](const Plan& plan, const JobContext& part) {
+                return farm.add(plan, part);
+            };
+            report =
+                exportEach(fields, addTo, job.part(0.0, 0.7))
+                    .and_then([&](const FieldsExported& each) -> Result<FormatFiles> {
+                        exported = each;
+                        return each.done > 0 ? farm.files(job) : std::unexpected(each.failures.front().error);
+                    })
+                    .and_then([&](const FormatFiles& files) {
+                        return writeToStick(*stick, files, farm.fields(), replace, job.part(0.7, 1.0));
+                    });
+        }
+        return [this, title, fields, exported, isFolder, report = std::move(report)] {
+            exported_ = exported;
+            emit planned(exported_.made);
             if (!report) {
                 const Error& error = report.error();
                 setState(
@@ -331,6 +364,7 @@ void StickExport::write(bool replace) {
                 return;
             }
             writtenTitle_ = title;
+            writtenFields_ = fields;
             written_.clear();
             for (const std::filesystem::path& file : report->files) {
                 written_ << QString::fromStdU16String(file.u16string());
@@ -338,10 +372,13 @@ void StickExport::write(bool replace) {
             notes_ = report->notes;
             checks_ = report->checks;
             backups_ = joined(report->backups);
-            setState(State::Done, [isFolder, compared = report->contentCompared] {
+            setState(State::Done, [isFolder, several = !fields.empty(), compared = report->contentCompared] {
                 const QString checked =
-                    compared ? tr("every byte was read back, and the plan read from there is this plan.")
-                             : tr("every byte was read back and is as written.");
+                    compared
+                        ? (several
+                               ? tr("every byte was read back, and the fields read from there are these.")
+                               : tr("every byte was read back, and the plan read from there is this plan."))
+                        : tr("every byte was read back and is as written.");
                 return (isFolder ? tr("Written: %1") : tr("Safe to unplug: %1")).arg(checked);
             });
         };
@@ -358,6 +395,8 @@ void StickExport::cancel() {
 
 void StickExport::clear() {
     writtenTitle_ = {};
+    writtenFields_.clear();
+    exported_ = {};
     written_.clear();
     notes_.clear();
     checks_ = {};
@@ -366,7 +405,7 @@ void StickExport::clear() {
 }
 
 QStringList StickExport::notes() const {
-    QStringList lines = sentences(notes_);
+    QStringList lines = exported_.problemTexts() + sentences(notes_);
     if (!backups_.isEmpty()) {
         lines << tr("What was there before is kept as %1.").arg(backups_);
     }

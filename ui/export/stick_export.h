@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/io/content/export_job.h"
+#include "ui/export/field_to_export.h"
 #include "ui/export/plan_title.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/text/message_text.h"
@@ -20,8 +21,9 @@ namespace furrow {
 QString stoppedText();
 QString stoppedRemedy();
 
-/// Writes a plan for a terminal to a USB stick: the sticks that there are, what stands in the way on the
-/// chosen one, and what became of it. The sticks are looked for while `searching` is set.
+/// Writes a plan, or the plans of several fields, for a terminal to a USB stick: the sticks that there are,
+/// what stands in the way on the chosen one, and what became of it. The sticks are looked for while
+/// `searching` is set.
 class StickExport : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
@@ -47,6 +49,8 @@ class StickExport : public QAbstractListModel {
     /// What was written, a line for each file, and what a driver should know.
     Q_PROPERTY(QStringList written READ written NOTIFY stateChanged FINAL)
     Q_PROPERTY(QStringList notes READ notes NOTIFY stateChanged FINAL)
+    /// Of several fields those that could not be exported and why, one sentence each.
+    Q_PROPERTY(QStringList failures READ failures NOTIFY stateChanged FINAL)
     /// What receivers would stumble over in the written files, and how much was looked at.
     Q_PROPERTY(QStringList problems READ problems NOTIFY stateChanged FINAL)
     Q_PROPERTY(int checks READ checks NOTIFY stateChanged FINAL)
@@ -74,6 +78,8 @@ public:
     void setLister(Lister lister) { lister_ = std::move(lister); }
     /// What is to be written; null for nothing. What was being written of another plan is stopped.
     void setPlan(const PlanTitle& title);
+    /// Several fields in the place of that plan; none for the plan.
+    void setFields(std::vector<FieldToExport> fields);
 
     bool searching() const { return timer_.isActive(); }
     void setSearching(bool searching);
@@ -92,7 +98,8 @@ public:
     State state() const { return state_; }
     QString message() const { return text(message_); }
     QString remedy() const { return text(remedy_); }
-    QString writtenPlan() const { return writtenTitle_.whole(); }
+    QString writtenPlan() const;
+    QStringList failures() const { return exported_.failureTexts(); }
     QStringList written() const { return written_; }
     QStringList notes() const;
     QStringList problems() const { return sentences(checks_.problems); }
@@ -123,17 +130,23 @@ signals:
     void examined();
     void stateChanged();
     void progressChanged();
+    /// Fields were planned on the way out.
+    void planned(const std::vector<furrow::FieldsExported::Made>& plans);
 
 private:
     std::vector<Stick> found() const;
     const Stick& chosen() const { return sticks_[static_cast<std::size_t>(current_)]; }
     void refresh();
+    bool hasContent() const { return title_ || !fields_.empty(); }
     /// What stands in the way, worked out in the background.
     void examine();
     void setState(State state, LazyText message = {}, LazyText remedy = {});
 
     PlanTitle title_;
     PlanTitle writtenTitle_;
+    std::vector<FieldToExport> fields_;
+    std::vector<FieldToExport> writtenFields_;
+    FieldsExported exported_;
     std::vector<Stick> sticks_;
     QStringList folders_;
     Lister lister_;

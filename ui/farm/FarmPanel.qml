@@ -14,6 +14,7 @@ Rectangle {
     /// Name and season of a plan for each of the selected fields.
     signal addPlansRequested()
     signal printRequested()
+    signal exportRequested()
     /// The row that the keys are on.
     property alias currentRow: list.currentIndex
 
@@ -281,6 +282,12 @@ Rectangle {
                 enabled: root.fields.count > 0
                 text: qsTr("Print…")
                 onClicked: root.printRequested()
+            }
+            PushButton {
+                objectName: "farm.export"
+                enabled: root.fields.count > 0
+                text: qsTr("Export…")
+                onClicked: root.exportRequested()
             }
         }
     }

@@ -35,7 +35,6 @@ FarmPlans::FarmPlans(Document& document, QObject* parent) : QObject{parent}, doc
     connect(&Display::instance(), &Display::changed, this, &FarmPlans::progressChanged);
     connect(&document_, &Document::begun, this, [this] {
         cancel();
-        planned_.clear();
         errors_.clear();
         dismiss();
     });
@@ -46,6 +45,7 @@ void FarmPlans::keepIn(const QString& file) {
     QFile kept{file};
     results_ =
         kept.open(QIODevice::ReadOnly) ? PlanResults::fromJson(kept.readAll().toStdString()) : PlanResults{};
+    planned_ = results_.places();
     emit resultsChanged();
 }
 
@@ -55,7 +55,7 @@ const Error* FarmPlans::errorOf(const std::string& planKey) const {
 }
 
 std::string FarmPlans::placeOf(const ProjectField& field, const FieldPlan& plan) {
-    return field.id + '\n' + plan.id;
+    return field.source->name + '\n' + field.id + '\n' + plan.id;
 }
 
 bool FarmPlans::wasPlanned(const ProjectField& field, const FieldPlan& plan) const {
@@ -82,8 +82,13 @@ void FarmPlans::keep(const std::shared_ptr<const Plan>& plan) {
     }
     kept_ = plan;
     keptPlace_ = place;
-    planned_.insert(place);
-    store(planKey(*field->source, project.plan()), furrow::resultOf(*plan));
+    store(planKey(*field->source, project.plan()), place, furrow::resultOf(*plan));
+    save();
+    emit resultsChanged();
+}
+
+void FarmPlans::keep(const ProjectField& field, const FieldPlan& plan, const PlanResult& result) {
+    store(planKey(*field.source, plan), placeOf(field, plan), result);
     save();
     emit resultsChanged();
 }
@@ -150,9 +155,8 @@ void FarmPlans::finish(Worker& worker, const std::string& key, const std::string
                        const Result<PlanResult>& result) {
     worker.field.clear();
     if (result) {
-        planned_.insert(place);
         ++(result->drivable() ? drivable_ : withFindings_);
-        store(key, *result);
+        store(key, place, *result);
     } else if (result.error().code != ErrorCode::Cancelled) {
         ++failed_;
         errors_.insert_or_assign(key, result.error());
@@ -160,9 +164,10 @@ void FarmPlans::finish(Worker& worker, const std::string& key, const std::string
     goOn();
 }
 
-void FarmPlans::store(const std::string& key, const PlanResult& result) {
+void FarmPlans::store(const std::string& key, const std::string& place, const PlanResult& result) {
     errors_.erase(key);
-    results_.keep(key, result);
+    planned_.insert(place);
+    results_.keep(key, result, place);
 }
 
 void FarmPlans::save() {

@@ -50,6 +50,8 @@ public:
 
     /// A plan that was made in the window, of the field and plan that are current.
     void keep(const std::shared_ptr<const Plan>& plan);
+    /// What a plan came to that was made elsewhere, of a field of this project.
+    void keep(const ProjectField& field, const FieldPlan& plan, const PlanResult& result);
     /// Plans those of these fields that have no plan of their present inputs; by index in the project.
     void plan(const std::vector<std::size_t>& fields);
     Q_INVOKABLE void cancel();
@@ -73,13 +75,14 @@ private:
         std::string field;  ///< empty while there is nothing to do
         std::string name;
     };
+    /// With the field's name: ids are counted anew in each project.
     static std::string placeOf(const ProjectField& field, const FieldPlan& plan);
 
     void goOn();
     void start(Worker& worker, std::size_t field);
     void finish(Worker& worker, const std::string& key, const std::string& place,
                 const Result<PlanResult>& result);
-    void store(const std::string& key, const PlanResult& result);
+    void store(const std::string& key, const std::string& place, const PlanResult& result);
     void save();
     std::size_t underWay() const;
 
@@ -87,7 +90,7 @@ private:
     QString file_;
     PlanResults results_;
     std::map<std::string, Error> errors_;
-    /// Plans by field and id that were made since the program began.
+    /// Plans that were made, now or before, whatever their inputs were.
     std::set<std::string> planned_;
     /// The plan of the window that was taken last.
     std::shared_ptr<const Plan> kept_;

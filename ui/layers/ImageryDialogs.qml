@@ -1,5 +1,5 @@
 import QtQuick
-import QtQuick.Dialogs
+import Furrow.Files
 
 /// Asks which imagery is to be laid below the plan.
 Item {
@@ -14,19 +14,20 @@ Item {
         tileFolderDialog.open();
     }
 
-    FileDialog {
+    FileChooser {
         id: imageryDialog
 
         objectName: "imageryDialog"
         title: qsTr("Add imagery")
-        fileMode: FileDialog.OpenFiles
+        fileMode: FileChooser.OpenFiles
         nameFilters: [qsTr("Pictures and heights (%1)").arg("*.tif *.tiff *.mbtiles *.gpkg *.jp2 *.png *.jpg *.jpeg *.webp *.asc *.hgt *.dt0 *.dt1 *.dt2"), qsTr("All files (*)")]
         onAccepted: root.imagery.addUrls(selectedFiles)
     }
-    FolderDialog {
+    FileChooser {
         id: tileFolderDialog
 
         objectName: "tileFolderDialog"
+        fileMode: FileChooser.Folder
         title: qsTr("Add a folder of tiles")
         onAccepted: root.imagery.addUrls([selectedFolder])
     }

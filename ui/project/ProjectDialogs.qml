@@ -1,6 +1,6 @@
 import QtQuick
 import QtQuick.Controls
-import QtQuick.Dialogs
+import Furrow.Files
 
 /// Opening and saving: asks where, and first what becomes of changes that are not saved.
 Item {
@@ -11,14 +11,19 @@ Item {
     required property FieldOpener opener
     /// What comes after the changes are saved or given up.
     property var next: null
+    /// Asked before a single project is opened: offer(url, openIt). It may do something else with the file.
+    property var offer: (url, openIt) => openIt()
 
     function open(): void {
         openDialog.open();
     }
     function openUrls(urls: list<url>): void {
         const replaces = urls.some(url => root.opener.isProjectFile(url));
-        if (replaces)
-            root.settleThen(() => root.opener.openUrls(urls));
+        const openIt = () => root.settleThen(() => root.opener.openUrls(urls));
+        if (replaces && urls.length === 1)
+            root.offer(urls[0], openIt);
+        else if (replaces)
+            openIt();
         else
             root.opener.openUrls(urls);
     }
@@ -62,21 +67,21 @@ Item {
             root.goOn();
         }
     }
-    FileDialog {
+    FileChooser {
         id: openDialog
 
         objectName: "openDialog"
         title: qsTr("Open projects or field boundaries")
-        fileMode: FileDialog.OpenFiles
-        nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv *.xml *.dxf *.gpx *.tif *.tiff *.png *.mbtiles"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
+        fileMode: FileChooser.OpenFiles
+        nameFilters: [qsTr("Projects and field boundaries (%1)").arg("*.furrow *.geojson *.json *.shp *.zip *.kml *.kmz *.gpkg *.gml *.fgb *.wkt *.csv *.xml *.dxf *.gpx *.tif *.tiff *.png *.mbtiles *.log *.nmea *.txt *.mcap *.db3"), qsTr("Projects (%1)").arg("*.furrow"), qsTr("All files (*)")]
         onAccepted: root.openUrls(selectedFiles)
     }
-    FileDialog {
+    FileChooser {
         id: saveDialog
 
         objectName: "saveDialog"
         title: qsTr("Save the project")
-        fileMode: FileDialog.SaveFile
+        fileMode: FileChooser.SaveFile
         defaultSuffix: "furrow"
         nameFilters: [qsTr("Projects (%1)").arg("*.furrow")]
         onAccepted: root.files.saveAs(selectedFile)

@@ -1,8 +1,8 @@
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Dialogs
 import QtQuick.Templates as T
 import Furrow.Controls
+import Furrow.Files
 import Furrow.Plan
 
 /// The work order of a plan or of a farm: what stands on it on the left, its pages on the right.
@@ -238,22 +238,22 @@ T.Popup {
         }
     }
 
-    FileDialog {
+    FileChooser {
         id: pdfDialog
 
         objectName: "pdfDialog"
         title: qsTr("Save the work order")
-        fileMode: FileDialog.SaveFile
+        fileMode: FileChooser.SaveFile
         defaultSuffix: "pdf"
         nameFilters: [qsTr("PDF (%1)").arg("*.pdf")]
         onAccepted: root.printing.save(selectedFile)
     }
-    FileDialog {
+    FileChooser {
         id: pictureDialog
 
         objectName: "pictureDialog"
         title: qsTr("Save the page with the map as a picture")
-        fileMode: FileDialog.SaveFile
+        fileMode: FileChooser.SaveFile
         defaultSuffix: "png"
         nameFilters: [qsTr("Pictures (%1)").arg("*.png *.svg")]
         onAccepted: root.printing.save(selectedFile)

@@ -1,7 +1,6 @@
 #include "ui/report/printing.h"
 
 #include "planner/io/files/atomic_files.h"
-#include "planner/plan/advice.h"
 #include "planner/project/field_tasks.h"
 #include "planner/sheet/order_sheet.h"
 #include "ui/pages/page_files.h"
@@ -47,8 +46,7 @@ Result<std::shared_ptr<const Plan>> plannedFor(const Task& task, const JobContex
     if (task.plan != nullptr) {
         return task.plan;
     }
-    return planOfSource(*task.source, task.machine, task.settings, job.part(0.0, 0.9))
-        .and_then([&job](const auto& plan) { return withAdvice(plan, job.part(0.9, 1.0)); });
+    return advisedPlanOfSource(*task.source, task.machine, task.settings, job);
 }
 
 QString withoutUnsafe(QString name) {

@@ -12,8 +12,11 @@ T.Button {
     required property bool hasPlace
     required property bool old
     required property bool settled
+    /// Written by whoever writes here.
+    required property bool own
     property bool current: false
     signal settledChosen(on: bool)
+    signal editChosen()
     signal removeChosen()
 
     implicitHeight: lines.height + 18
@@ -75,14 +78,21 @@ T.Button {
                 color: Theme.warning
                 wrapMode: Text.WordWrap
             }
-            Row {
+            Flow {
                 x: -6
+                width: parent.width + 6
                 spacing: 4
 
                 SmallButton {
                     objectName: root.objectName + ".settle"
                     text: root.settled ? qsTr("Open again") : qsTr("Settled")
                     onClicked: root.settledChosen(!root.settled)
+                }
+                SmallButton {
+                    objectName: root.objectName + ".edit"
+                    visible: root.own
+                    text: qsTr("Edit")
+                    onClicked: root.editChosen()
                 }
                 SmallButton {
                     objectName: root.objectName + ".remove"

@@ -12,6 +12,18 @@ Column {
     /// Where the comment that is being written belongs; not valid for the whole plan.
     property var place: QtPositioning.coordinate()
     property bool writing: false
+    /// The comment whose text is being changed; none where a new one is written.
+    property int editedRow: -1
+    // Its rows are those of another plan.
+    Connections {
+        target: root.review
+
+        function onReviewChanged(): void {
+            if (root.editedRow >= root.review.count)
+                root.writing = false;
+        }
+    }
+
     signal commentRequested(row: int)
     signal placeRequested()
     signal sendRequested()
@@ -75,7 +87,11 @@ Column {
             current: index === root.current
             onClicked: root.commentRequested(index)
             onSettledChosen: on => root.review.setSettled(index, on)
-            onRemoveChosen: root.review.remove(index)
+            onEditChosen: root.edit(index, said)
+            onRemoveChosen: {
+                root.writing = false;
+                root.review.remove(index);
+            }
         }
     }
     Column {
@@ -85,7 +101,7 @@ Column {
 
         Caption {
             width: parent.width
-            text: root.place.isValid ? qsTr("At the place that you clicked:") : qsTr("On the whole plan:")
+            text: root.editedRow >= 0 ? qsTr("Comment %1:").arg(root.editedRow + 1) : root.place.isValid ? qsTr("At the place that you clicked:") : qsTr("On the whole plan:")
         }
         TextEntry {
             id: entry
@@ -99,6 +115,7 @@ Column {
         TextEntry {
             objectName: "review.author"
             width: parent.width
+            visible: root.editedRow < 0
             name: qsTr("Your name")
             placeholderText: qsTr("Your name")
             value: root.review.author
@@ -109,7 +126,7 @@ Column {
 
             PushButton {
                 objectName: "review.add"
-                text: qsTr("Add")
+                text: root.editedRow >= 0 ? qsTr("Change") : qsTr("Add")
                 primary: true
                 enabled: entry.text.trim().length > 0
                 onClicked: root.finish()
@@ -195,15 +212,25 @@ Column {
     }
 
     function write(place: var): void {
+        root.begin(place, -1, "");
+    }
+    function edit(row: int, said: string): void {
+        root.begin(QtPositioning.coordinate(), row, said);
+    }
+    function begin(place: var, row: int, text: string): void {
         root.place = place;
+        root.editedRow = row;
         root.writing = true;
-        entry.text = "";
+        entry.text = text;
         Qt.callLater(() => entry.forceActiveFocus(Qt.TabFocusReason));
     }
     function finish(): void {
         if (entry.text.trim().length === 0)
             return;
-        root.review.add(entry.text, root.place);
+        if (root.editedRow >= 0)
+            root.review.setText(root.editedRow, entry.text);
+        else
+            root.review.add(entry.text, root.place);
         entry.text = "";
         root.writing = false;
     }

@@ -140,6 +140,9 @@ void ReviewModel::setAuthor(const QString& author) {
     if (name != author_) {
         author_ = name;
         QSettings{}.setValue(QLatin1String{kAuthorKey}, author_);
+        if (rowCount() > 0) {
+            emit dataChanged(index(0), index(rowCount() - 1), {OwnRole});
+        }
         emit authorChanged();
     }
 }
@@ -162,13 +165,15 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
         case HasPlaceRole: return comment.place.has_value();
         case OldRole: return comment.planKey != key_;
         case SettledRole: return comment.settled;
+        // Nobody puts words into another's mouth.
+        case OwnRole: return comment.author.empty() || comment.author == author_.toStdString();
         default: return {};
     }
 }
 
 QHash<int, QByteArray> ReviewModel::roleNames() const {
-    return {{NumberRole, "number"},     {ByRole, "by"},   {TextRole, "said"},      {PlaceRole, "place"},
-            {HasPlaceRole, "hasPlace"}, {OldRole, "old"}, {SettledRole, "settled"}};
+    return {{NumberRole, "number"},     {ByRole, "by"},   {TextRole, "said"},       {PlaceRole, "place"},
+            {HasPlaceRole, "hasPlace"}, {OldRole, "old"}, {SettledRole, "settled"}, {OwnRole, "own"}};
 }
 
 QGeoCoordinate ReviewModel::placeOf(int row) const {
@@ -215,6 +220,22 @@ void ReviewModel::setSettled(int row, bool settled) {
         change([settled] { return settled ? tr("Settle a comment") : tr("Open a comment again"); },
                std::move(next));
     }
+}
+
+void ReviewModel::setText(int row, const QString& text) {
+    Review next = review();
+    if (row < 0 || row >= static_cast<int>(next.comments.size()) || text.trimmed().isEmpty()) {
+        return;
+    }
+    ReviewComment& comment = next.comments[static_cast<std::size_t>(row)];
+    if (comment.text == text.trimmed().toStdString()) {
+        return;
+    }
+    comment.text = text.trimmed().toStdString();
+    // Of two copies of a comment the later one holds.
+    comment.written = now();
+    comment.planKey = currentKey();
+    change([] { return tr("Edit a comment"); }, std::move(next));
 }
 
 void ReviewModel::setVerdict(State verdict) {
@@ -290,6 +311,25 @@ void ReviewModel::send(const QUrl& file) {
             } else {
                 tell(written.error());
             }
+        };
+    });
+}
+
+bool ReviewModel::expectsReviews() const {
+    return std::ranges::any_of(document_.project()->fields, [](const auto& field) {
+        return std::ranges::any_of(field->plans,
+                                   [](const FieldPlan& plan) { return !plan.review.id.empty(); });
+    });
+}
+
+void ReviewModel::look(const QUrl& file) {
+    runner_.submit([this, path = pathOf(file)](const JobContext&) -> JobRunner::Delivery {
+        const auto read = readProject(path);
+        const bool isReview =
+            read && read->project.fields.size() == 1 && read->project.fields.front()->plans.size() == 1;
+        const auto sent = isReview ? std::make_shared<const Project>(read->project) : nullptr;
+        return [this, sent] {
+            emit lookedAt(sent != nullptr && takenReview(*document_.project(), *sent).has_value());
         };
     });
 }

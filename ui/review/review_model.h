@@ -51,6 +51,7 @@ public:
         HasPlaceRole,
         OldRole,  ///< the plan has changed since
         SettledRole,
+        OwnRole,
     };
 
     explicit ReviewModel(Document& document, QObject* parent = nullptr);
@@ -78,6 +79,8 @@ public:
     Q_INVOKABLE void add(const QString& text, const QGeoCoordinate& place);
     Q_INVOKABLE void remove(int row);
     Q_INVOKABLE void setSettled(int row, bool settled);
+    /// Another text for a comment, of now and of the plan as it is now. Nothing for an empty text.
+    Q_INVOKABLE void setText(int row, const QString& text);
     Q_INVOKABLE QGeoCoordinate placeOf(int row) const;
     /// None takes the verdict back.
     Q_INVOKABLE void setVerdict(furrow::ReviewModel::State verdict);
@@ -87,6 +90,10 @@ public:
     Q_INVOKABLE void send(const QUrl& file);
     /// Takes in what came back, in the background.
     Q_INVOKABLE void takeIn(const QUrl& file);
+    /// Something of this project was sent for review.
+    Q_INVOKABLE bool expectsReviews() const;
+    /// Reads a file in the background and says whether it is a review of a plan of this project (`lookedAt`).
+    Q_INVOKABLE void look(const QUrl& file);
     Q_INVOKABLE void dismiss();
 
 signals:
@@ -95,6 +102,7 @@ signals:
     void planChanged();
     void messageChanged();
     void busyChanged();
+    void lookedAt(bool isReviewOfThis);
     /// What came back is of this plan, which is current now.
     void takenIn();
 

@@ -32,18 +32,25 @@ ApplicationWindow {
     readonly property bool farmOpen: farmWanted && session.farm.hasField
     /// Two plans are compared in place of the results of one.
     property bool compareWanted: false
-    readonly property bool compareOpen: compareWanted && !farmOpen && session.shown.hasPlan && !guideOpen
+    readonly property bool compareOpen: compareWanted && !fromTrackOpen && !farmOpen && session.shown.hasPlan && !guideOpen
+    /// Each of the two is on a map of its own, where they are compared.
+    property bool twoMapsWanted: false
+    readonly property bool twoMaps: compareOpen && twoMapsWanted
     /// A recorded track lies over the plan, beside its figures.
-    readonly property bool drivenOpen: session.driven.active && !compareOpen && !farmOpen && session.shown.hasPlan && !guideOpen
+    readonly property bool drivenOpen: session.driven.active && !fromTrackOpen && !compareOpen && !farmOpen && session.shown.hasPlan && !guideOpen
+    /// A field is being made from a recorded track.
+    readonly property bool fromTrackOpen: session.fieldFromTrack.active && !guideOpen
     /// The guide is read beside the map.
     property bool guideOpen: false
     /// What takes the place of the results.
-    readonly property bool besideOpen: compareOpen || drivenOpen || guideOpen
-    readonly property Item rightPanel: guideOpen ? guidePanel : compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
+    readonly property bool besideOpen: compareOpen || drivenOpen || fromTrackOpen || guideOpen
+    readonly property Item rightPanel: guideOpen ? guidePanel : fromTrackOpen ? fieldFromTrackPanel : compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
     readonly property list<color> drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
     /// Beside the map; otherwise the steps are a drawer over it.
-    readonly property bool roomForSteps: width >= 860
+    readonly property bool roomForSteps: width >= (twoMaps ? 1640 : 860)
     property bool stepsWanted: true
+    /// When there was no more room for them.
+    property bool stepsWereWanted: true
     readonly property bool stepsOpen: stepsWanted && !farmOpen
     readonly property bool panelOpen: !farmOpen && !besideOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
     readonly property int currentFinding: page.editor.selectedFinding
@@ -111,7 +118,12 @@ ApplicationWindow {
     }
     onRoomForPanelChanged: panelWanted = roomForPanel
     // The map first; the steps are a press away.
-    onRoomForStepsChanged: stepsWanted = roomForSteps
+    onRoomForStepsChanged: {
+        if (!roomForSteps)
+            stepsWereWanted = stepsWanted;
+        stepsWanted = roomForSteps && stepsWereWanted;
+    }
+    onTwoMapsChanged: otherMap.change(twoMaps)
     Component.onCompleted: {
         panelWanted = roomForPanel;
         stepsWanted = roomForSteps;
@@ -153,13 +165,14 @@ ApplicationWindow {
         onTileFolderRequested: imageryDialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
-        onExportRequested: exportDialog.open()
+        onExportRequested: root.exportPlan()
         onPrintRequested: {
             root.session.printing.chosen = [];
             printDialog.open();
         }
         onBestPlanRequested: bestPlanDialog.open()
         onFindingRequested: by => root.stepFinding(by)
+        onFindingOfKindRequested: by => root.showAndGoTo(root.session.findings.nextOfKind(root.currentFinding, by))
         onCommentRequested: atPlace => root.comment(atPlace)
         onSendRequested: reviewDialogs.send()
         onTakeInRequested: reviewDialogs.takeIn()
@@ -169,7 +182,19 @@ ApplicationWindow {
             root.guideOpen = false;
             root.farmWanted = false;
             root.compareWanted = false;
+            drivenDialog.forField = !root.session.shown.hasPlan;
             drivenDialog.open();
+        }
+        onFieldFromTrackRequested: {
+            drivenDialog.forField = true;
+            drivenDialog.open();
+        }
+        twoMaps: root.twoMaps
+        onTwoMapsRequested: {
+            const on = !root.twoMaps;
+            root.twoMapsWanted = on;
+            if (on && !root.compareOpen)
+                root.showCompare();
         }
         onCompareRequested: root.compareOpen ? root.closeCompare() : root.showCompare()
         onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
@@ -230,6 +255,7 @@ ApplicationWindow {
         document: root.session.document
         files: root.session.files
         opener: root.session.opener
+        offer: (url, openIt) => reviewDialogs.offer(url, openIt)
     }
     ImageryDialogs {
         id: imageryDialogs
@@ -266,6 +292,10 @@ ApplicationWindow {
             root.session.printing.chosen = root.session.farmList.chosenIds();
             printDialog.open();
         }
+        onExportRequested: {
+            root.session.exporter.chosen = root.session.farmList.chosenIds();
+            exportDialog.open();
+        }
     }
     StepsPanel {
         id: steps
@@ -280,7 +310,7 @@ ApplicationWindow {
         onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
         onCheckRequested: root.showFindings()
-        onExportRequested: exportDialog.open()
+        onExportRequested: root.exportPlan()
         onBestPlanRequested: bestPlanDialog.open()
         onSwathChosen: segment => page.editor.selectSegment(segment)
     }
@@ -298,10 +328,10 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: root.farmOpen ? farmPanel.right : root.stepsOpen && root.roomForSteps ? steps.right : parent.left; right: root.rightPanel.left; top: topBar.bottom; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : root.stepsOpen && root.roomForSteps ? steps.right : parent.left; right: otherMap.beside ? otherMap.left : root.rightPanel.left; top: topBar.bottom; bottom: otherMap.below ? otherMap.top : driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         other: root.session.comparison.drawing
-        showOther: root.compareOpen && root.session.comparison.ready && (otherHeld || comparePanel.holding)
+        showOther: root.compareOpen && root.session.comparison.ready && !root.twoMaps && (otherHeld || comparePanel.holding)
         document: root.session.document
         shown: root.session.shown
         imagery: root.session.imagery
@@ -324,13 +354,26 @@ ApplicationWindow {
                 missedColor: Theme.missed
                 lineFactor: Theme.lineFactor
             },
+            TrackOutlineLayer {
+                objectName: "trackOutlineLayer"
+                anchors.fill: parent
+                visible: root.fromTrackOpen
+                camera: page.camera
+                source: root.session.fieldFromTrack
+                lineColor: Theme.boundary
+                casingColor: Theme.casing
+                fillColor: Qt.alpha(Theme.accent, 0.16)
+                trackColor: Theme.swath
+                lineFactor: Theme.lineFactor
+            },
             DifferenceLayer {
                 anchors.fill: parent
                 visible: root.compareOpen && !page.showOther
+                showSecond: !root.twoMaps
                 camera: page.camera
                 comparison: root.session.comparison
                 firstColor: Theme.accent
-                secondColor: Theme.turn
+                secondColor: otherMap.lineColor
                 casingColor: Theme.panel
                 lineFactor: Theme.lineFactor
             },
@@ -346,13 +389,23 @@ ApplicationWindow {
                 }
                 onOpened: row => farmPanel.open(row)
             },
+            WorkedLayer {
+                objectName: "workedLayer"
+                anchors.fill: parent
+                visible: root.session.drive.underWay && !root.steppingCells
+                camera: page.camera
+                drive: root.session.drive
+                color: Theme.covered
+                // As one picture: land that is worked twice is not darker.
+                layer.enabled: true
+                opacity: 0.32
+            },
             DriveLayer {
                 objectName: "driveLayer"
                 anchors.fill: parent
                 visible: !root.steppingCells
                 camera: page.camera
                 drive: root.session.drive
-                workedColor: Theme.covered
                 bodyColor: Theme.accent
                 wheelColor: Theme.ink
                 implementColor: Theme.dark ? Theme.boundary : Theme.ink
@@ -398,6 +451,13 @@ ApplicationWindow {
             results.focusInspector();
         }
 
+        MapName {
+            objectName: "firstName"
+            anchors { right: parent.right; bottom: parent.bottom; margins: 12 }
+            visible: root.twoMaps
+            name: qsTr("This plan: %1").arg(root.session.comparison.firstName)
+            lineColor: Theme.accent
+        }
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
             planning: root.session.planning
@@ -438,7 +498,7 @@ ApplicationWindow {
             anchors.centerIn: parent
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
-            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && root.session.imagery.count === 0
+            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !root.fromTrackOpen && root.session.imagery.count === 0
             opener: root.session.opener
             recent: root.session.recent
             onOpenRequested: dialogs.open()
@@ -490,6 +550,22 @@ ApplicationWindow {
             }
         }
     }
+    OtherMapPlace {
+        id: otherMap
+
+        objectName: "otherMap"
+        fromX: page.x
+        toX: root.rightPanel.x
+        fromY: page.y
+        toY: driveBar.visible ? driveBar.y : root.contentItem.height
+        open: root.twoMaps
+        page: page
+        comparison: root.session.comparison
+        imagery: root.session.imagery
+        imageryShown: layersPanel.layers.imagery
+        online: layersPanel.layers.online
+        style: mapStyle.style
+    }
     DriveBar {
         id: driveBar
 
@@ -519,6 +595,7 @@ ApplicationWindow {
         anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom; rightMargin: root.panelOpen ? 0 : -width }
         width: 308
         visible: root.panelOpen
+        shown: root.session.shown
         planning: root.session.planning
         figures: root.session.figures
         findings: root.session.findings
@@ -537,6 +614,8 @@ ApplicationWindow {
         width: 340
         visible: root.compareOpen
         comparison: root.session.comparison
+        twoMaps: root.twoMaps
+        onTwoMapsChosen: on => root.twoMapsWanted = on
         onCloseRequested: root.closeCompare()
         onVariantRequested: root.askName(qsTr("Keep as a variant"), "", "", false, name => root.session.farm.addPlan(name))
     }
@@ -544,6 +623,40 @@ ApplicationWindow {
         id: drivenDialog
 
         track: root.session.driven
+        source: root.session.fieldFromTrack
+    }
+    TrackQuestion {
+        anchors.centerIn: Overlay.overlay
+        source: root.session.fieldFromTrack
+    }
+    FieldFromTrackPanel {
+        id: fieldFromTrackPanel
+
+        objectName: "fieldFromTrackPanel"
+        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
+        width: 340
+        visible: root.fromTrackOpen
+        source: root.session.fieldFromTrack
+        onCloseRequested: {
+            root.session.fieldFromTrack.close();
+            if (root.session.farm.hasField)
+                page.fitField(true);
+            page.forceActiveFocus();
+        }
+    }
+    Connections {
+        target: root.session.fieldFromTrack
+
+        function onOutlined(area: geoRectangle): void {
+            root.farmWanted = false;
+            root.guideOpen = false;
+            page.camera.fit(area, 84, 72, 48, 72, true);
+        }
+        function onLayRequested(): void {
+            root.guideOpen = false;
+            root.farmWanted = false;
+            root.compareWanted = false;
+        }
     }
     GuidePanel {
         id: guidePanel
@@ -563,7 +676,11 @@ ApplicationWindow {
         visible: root.drivenOpen
         track: root.session.driven
         colors: root.drivenColors
-        onOpenRequested: drivenDialog.open()
+        onOpenRequested: {
+            drivenDialog.forField = false;
+            drivenDialog.open();
+        }
+        onFieldRequested: root.session.fieldFromTrack.takeOver(root.session.driven)
         onCloseRequested: {
             root.session.driven.close();
             page.forceActiveFocus();
@@ -582,6 +699,10 @@ ApplicationWindow {
         id: reviewDialogs
 
         review: root.session.review
+        onTakenIn: {
+            root.openResults();
+            results.showReview();
+        }
     }
     Connections {
         target: results.reviewSection
@@ -673,7 +794,7 @@ ApplicationWindow {
         } else if (task === 2) {
             page.startTool(FieldEditor.Select);
         } else if (task === 3 && root.session.farm.hasField) {
-            exportDialog.open();
+            root.exportPlan();
         }
     }
     /// The results, in place of whatever stands there or over them.
@@ -682,6 +803,7 @@ ApplicationWindow {
         root.farmWanted = false;
         root.compareWanted = false;
         root.session.driven.close();
+        root.session.fieldFromTrack.close();
         root.panelWanted = true;
         if (!root.roomForSteps)
             root.stepsWanted = false;
@@ -719,6 +841,10 @@ ApplicationWindow {
             root.stepsWanted = true;
             steps.openSetting(entry.stepId, entry.key);
         }
+    }
+    function exportPlan(): void {
+        root.session.exporter.chosen = [];
+        exportDialog.open();
     }
     function showCompare(): void {
         root.guideOpen = false;
@@ -777,9 +903,14 @@ ApplicationWindow {
         if (count === 0)
             return;
         const next = root.currentFinding < 0 ? (by > 0 ? 0 : count - 1) : (root.currentFinding + by + count) % count;
+        root.showAndGoTo(next);
+    }
+    function showAndGoTo(finding: int): void {
+        if (finding < 0)
+            return;
         root.openResults();
-        root.goToFinding(next);
-        results.showFinding(next);
+        root.goToFinding(finding);
+        results.showFinding(finding);
     }
     /// The list of what was found, beginning with what blocks.
     function showFindings(): void {

@@ -8,9 +8,15 @@ namespace furrow {
 
 Session::Session(QObject* parent) : QObject{parent} {
     connect(&opener_, &FieldOpener::imageryFound, &imagery_, &ImageryModel::add);
+    connect(&fieldFromTrack_, &FieldFromTrack::layRequested, &driven_, &DrivenTrack::layRecording);
     connect(&shown_, &ShownPlan::planChanged, this, &Session::showResults);
     connect(&planning_, &Planning::stateChanged, this, &Session::offerExport);
     connect(&findings_, &FindingsModel::changeRequested, &planning_, &Planning::apply);
+    connect(&exporter_, &ExportModel::planned, this, [this](const auto& plans) {
+        for (const FieldsExported::Made& made : plans) {
+            farmPlans_.keep(*made.of.field, made.of.wanted, made.result);
+        }
+    });
     connect(&Display::instance(), &Display::changed, this, &Session::showResults);
     showResults();
     offerExport();

@@ -4,6 +4,7 @@
 #include "ui/compare/plan_comparison.h"
 #include "ui/drive/drive_through.h"
 #include "ui/driven/driven_track.h"
+#include "ui/driven/field_from_track.h"
 #include "ui/export/export_model.h"
 #include "ui/farm/farm_list.h"
 #include "ui/farm/farm_plans.h"
@@ -52,6 +53,7 @@ class Session : public QObject {
     Q_PROPERTY(furrow::DriveThrough* drive READ drive CONSTANT FINAL)
     Q_PROPERTY(furrow::PlanComparison* comparison READ comparison CONSTANT FINAL)
     Q_PROPERTY(furrow::DrivenTrack* driven READ driven CONSTANT FINAL)
+    Q_PROPERTY(furrow::FieldFromTrack* fieldFromTrack READ fieldFromTrack CONSTANT FINAL)
     Q_PROPERTY(furrow::ReviewModel* review READ review CONSTANT FINAL)
     Q_PROPERTY(furrow::ExportModel* exporter READ exporter CONSTANT FINAL)
     Q_PROPERTY(furrow::Printing* printing READ printing CONSTANT FINAL)
@@ -78,6 +80,7 @@ public:
     DriveThrough* drive() { return &drive_; }
     PlanComparison* comparison() { return &comparison_; }
     DrivenTrack* driven() { return &driven_; }
+    FieldFromTrack* fieldFromTrack() { return &fieldFromTrack_; }
     ReviewModel* review() { return &review_; }
     ExportModel* exporter() { return &exporter_; }
     Printing* printing() { return &printing_; }
@@ -108,8 +111,9 @@ private:
     DriveThrough drive_{shown_};
     PlanComparison comparison_{document_, shown_, farm_};
     DrivenTrack driven_{shown_};
+    FieldFromTrack fieldFromTrack_{document_, opener_, shown_};
     ReviewModel review_{document_};
-    ExportModel exporter_;
+    ExportModel exporter_{document_};
     Printing printing_{document_};
     TroubleReport trouble_{document_, shown_};
 };

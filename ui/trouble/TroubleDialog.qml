@@ -1,6 +1,6 @@
 import QtQuick
-import QtQuick.Dialogs
 import Furrow.Controls
+import Furrow.Files
 
 /// Says what a report of a problem holds, and writes it where the user wants it.
 ThemedDialog {
@@ -53,12 +53,12 @@ ThemedDialog {
             onClicked: root.close()
         }
     }
-    FileDialog {
+    FileChooser {
         id: fileDialog
 
         objectName: "troubleFileDialog"
         title: qsTr("Save the report")
-        fileMode: FileDialog.SaveFile
+        fileMode: FileChooser.SaveFile
         defaultSuffix: "json"
         nameFilters: [qsTr("Reports (%1)").arg("*.json")]
         onAccepted: root.report.save(selectedFile)

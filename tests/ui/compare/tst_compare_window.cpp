@@ -6,6 +6,11 @@
 #include "planner/swaths/methods.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
+#include "ui/map/plan_layer.h"
+
+#include <QWheelEvent>
+
+#include <cmath>
 
 using namespace furrow;
 
@@ -17,6 +22,7 @@ private slots:
     void cleanup();
     void withTheStandardSettings();
     void withAVariant();
+    void onTwoMaps();
     void aPlanThatCannotBeMade();
 
 private:
@@ -30,6 +36,18 @@ private:
         session_->document()->change([] { return QString{}; },
                                      withPlan(project, project.plan().machine, settings));
         waitForPlan();
+    }
+    void waitForStill() {
+        double zoom = 0.0;
+        int still = 0;
+        const auto isStill = [&] {
+            still = std::exchange(zoom, camera()->zoomLevel()) == camera()->zoomLevel() ? still + 1 : 0;
+            return still >= 4;
+        };
+        QTRY_VERIFY(isStill());
+    }
+    static QRect sceneRect(const QQuickItem& of) {
+        return QRectF{of.mapToScene({0.0, 0.0}), of.size()}.toRect().adjusted(1, 1, -2, -2);
     }
     QVariantMap figure(const QString& label) {
         for (const QVariant& row : comparison().figures()) {
@@ -61,7 +79,7 @@ void TestCompareWindow::withTheStandardSettings() {
     // Half a metre of overlap: more swaths, more time, and the standard is better.
     setOverlap(0.5);
     QTRY_VERIFY(comparison().isReady() && comparison().settings().size() == 1);
-    QCOMPARE(figure("Time").value("better").toInt(), 1);
+    QTRY_COMPARE(figure("Time").value("better").toInt(), 1);
     QVERIFY(figure("Time").value("difference").toString().startsWith(QChar(0x2212)));
     QVERIFY(!comparison().difference()->onlyInSecond.empty());
     picture("compare_standard");
@@ -114,11 +132,123 @@ void TestCompareWindow::withAVariant() {
     QTRY_COMPARE(session_->farm()->currentPlan(), 0);
     waitForPlan();
     waitForOther();
-    QCOMPARE(figure("Time").value("better").toInt(), -1);
+    QTRY_COMPARE(figure("Time").value("better").toInt(), -1);
     QVERIFY(!session_->document()->undoText().contains("standard"));
     window_->resize(1000, 640);
     QTRY_COMPARE(map()->width(), 1000.0 - 348.0 - 340.0);
     picture("compare_small");
+}
+
+namespace {
+
+/// Of a picture, in a rectangle: pixels that are nearly of this colour.
+int pixelsOf(const QImage& image, const QColor& color, const QRect& within) {
+    int count = 0;
+    for (int y = within.top(); y <= within.bottom(); ++y) {
+        for (int x = within.left(); x <= within.right(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            count += std::abs(pixel.red() - color.red()) + std::abs(pixel.green() - color.green()) +
+                                 std::abs(pixel.blue() - color.blue()) <
+                             24
+                         ? 1
+                         : 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+void TestCompareWindow::onTwoMaps() {
+    // Nothing is compared yet: the key opens both.
+    const QGeoCoordinate centreBefore = camera()->center();
+    const double zoomBefore = camera()->zoomLevel();
+    const double widthBefore = map()->width();
+    setOverlap(0.5);
+    map()->forceActiveFocus();
+    key(Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(item("comparePanel")->isVisible());
+    waitForOther();
+    QTRY_VERIFY(item("otherMap.map") != nullptr && item("other.planLayer") != nullptr);
+    const QQuickItem* const other = item("otherMap.map");
+    QVERIFY(!item("compare.hold")->isVisible());
+    QVERIFY(item("firstName")->isVisible() && item("other.name")->isVisible());
+    // The same size to a pixel, so that one camera is right for both; beside each other, nothing between.
+    QTRY_VERIFY(std::abs(other->width() - map()->width()) <= 1.0);
+    QCOMPARE(other->height(), map()->height());
+    QCOMPARE(other->mapToScene({0.0, 0.0}).x(), map()->mapToScene({map()->width(), 0.0}).x());
+    // Each has its own plan.
+    const auto* const first = qobject_cast<const PlanLayer*>(item("planLayer"));
+    const auto* const second = qobject_cast<const PlanLayer*>(item("other.planLayer"));
+    QCOMPARE(second->drawing(), comparison().drawing());
+    QVERIFY(first->drawing() != second->drawing());
+    QVERIFY(first->drawing().geometry()->numbers.size() != second->drawing().geometry()->numbers.size());
+    QCOMPARE(first->camera(), second->camera());
+    // All of the field is in view.
+    const QGeoRectangle field = session_->shown()->drawing().bounds();
+    QTRY_VERIFY(
+        QRectF(0.0, 0.0, map()->width(), map()->height())
+            .contains(QRectF{camera()->position(field.topLeft()), camera()->position(field.bottomRight())}));
+    picture("compare_two_maps");
+    // Dragged by the mouse, the other map moves the first one by as much; and the other way round.
+    const QGeoCoordinate corner = field.topLeft();
+    QPointF before = camera()->position(corner);
+    const QPoint on = middleOf(*other);
+    drag(on, on + QPoint{48, 32});
+    QTRY_VERIFY((camera()->position(corner) - before - QPointF(48, 32)).manhattanLength() < 8.0);
+    before = camera()->position(corner);
+    // Beside the field, so that nothing of it is taken hold of.
+    const QPoint edge = map()->mapToScene({map()->width() - 20.0, 0.6 * map()->height()}).toPoint();
+    drag(edge, edge - QPoint{40, 0});
+    QTRY_VERIFY((camera()->position(corner) - before - QPointF(-40, 0)).manhattanLength() < 8.0);
+    // The wheel on the other map zooms about the pointer there.
+    const QPoint at = on + QPoint{60, -50};
+    const QPointF pixel = other->mapFromScene(at);
+    const QGeoCoordinate under = camera()->coordinateAt(pixel);
+    const double zoom = camera()->zoomLevel();
+    QWheelEvent turn{
+        at,   window_->mapToGlobal(at), {}, QPoint{0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+        false};
+    QGuiApplication::sendEvent(window_, &turn);
+    QTRY_COMPARE(camera()->zoomLevel(), zoom + 0.5);
+    QVERIFY(under.distanceTo(camera()->coordinateAt(pixel)) < 0.5);
+    key(Qt::Key_F);
+    waitForStill();
+    // What only one plan has is coloured on its own map: green is the one's, magenta the other's.
+    auto* const theme = engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme");
+    theme->setProperty("forced", 1);
+    const QImage image = window_->grabWindow();
+    const QColor green = theme->property("accent").value<QColor>();
+    const QColor magenta = theme->property("finding").value<QColor>();
+    QVERIFY(pixelsOf(image, green, sceneRect(*map())) > 1000);
+    QVERIFY(pixelsOf(image, magenta, sceneRect(*other)) > 1000);
+    QVERIFY(pixelsOf(image, green, sceneRect(*other)) < 100);
+    // In a small window, in all colours.
+    window_->resize(1000, 640);
+    QTRY_COMPARE(item("comparePanel")->x(), 660.0);
+    for (const auto& [name, mode] : {std::pair{"light", 1}, {"dark", 2}, {"sunlight", 3}}) {
+        theme->setProperty("forced", mode);
+        QTRY_VERIFY(std::abs(other->width() - map()->width()) <= 1.0 &&
+                    std::abs(other->height() - map()->height()) <= 1.0);
+        key(Qt::Key_F);
+        waitForStill();
+        picture(QStringLiteral("compare_two_maps_small_%1").arg(QLatin1String{name}));
+    }
+    theme->setProperty("forced", 0);
+    window_->resize(1440, 900);
+    // The box closes the other map only, and the view is as it was before.
+    click("compare.twoMaps");
+    QTRY_VERIFY(item("otherMap.map") == nullptr);
+    QVERIFY(item("comparePanel")->isVisible());
+    QTRY_VERIFY(item("compare.hold")->isVisible());
+    QTRY_VERIFY(centreBefore.distanceTo(camera()->center()) < 0.5);
+    QCOMPARE(camera()->zoomLevel(), zoomBefore);
+    click("compare.twoMaps");
+    QTRY_VERIFY(item("otherMap.map") != nullptr);
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(!item("comparePanel")->isVisible() && item("otherMap.map") == nullptr);
+    QTRY_VERIFY(item("stepsPanel")->isVisible());
+    QTRY_COMPARE(map()->width(), widthBefore);
 }
 
 void TestCompareWindow::aPlanThatCannotBeMade() {

@@ -200,6 +200,15 @@ private slots:
         QCOMPARE(again.list.stateOf(0), FarmList::Drivable);
         QCOMPARE(again.list.stateOf(1), FarmList::Drivable);
         QCOMPARE(again.list.stateOf(2), FarmList::NoPlan);
+        // Changed since, one is out of date; one that was never planned is still that.
+        const Project& project = *again.document.project();
+        FieldPlan other = project.plan();
+        other.machine = machineLibrary().back();
+        again.document.change([] { return QString{}; },
+                              withPlansLike(project, std::vector<std::size_t>{1, 2}, other));
+        QCOMPARE(again.list.stateOf(0), FarmList::Drivable);
+        QCOMPARE(again.list.stateOf(1), FarmList::OutOfDate);
+        QCOMPARE(again.list.stateOf(2), FarmList::NoPlan);
     }
 
     void manyFieldsInOneStep() {

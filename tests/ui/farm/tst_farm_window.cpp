@@ -1,10 +1,14 @@
 // A farm of 30 fields in the window: the list, the map, planning all of them, with the mouse and with keys
 // only.
 
+#include "planner/io/import/field_reader.h"
 #include "planner/machine/machine_library.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/farm/farm_samples.h"
 #include "tests/ui/window/window_test.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 using namespace furrow;
 
@@ -16,12 +20,40 @@ private slots:
     void cleanup();
     void listAndMap();
     void plannedStoppedAndGoneOnWith();
+    void exportedTogether();
+    void exportStopped();
+    void exportedToAStick();
     void byKeys();
     void fitsSmallWindows();
 
 private:
     FarmList& list() { return *session_->farmList(); }
     FarmPlans& plans() { return *session_->farmPlans(); }
+    ExportModel& exporter() { return *session_->exporter(); }
+    /// Three fields that can be planned, and one that is too small.
+    void beginWithASmallOne() {
+        FieldSource small =
+            test::fieldSourceFromLocal({test::rectangle(3.0, 3.0)}, {.lonDeg = 22.54, .latDeg = 58.25});
+        small.id = "small";
+        small.name = "Corner";
+        session_->document()->begin(History{
+            .base = std::make_shared<const Project>(showing(withFields(test::farmOf(3), {small}), 0, 0))});
+        waitForPlan();
+    }
+    void openExport() {
+        key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(item("farmPanel")->isVisible());
+        click("farm.selection");
+        click("farm.export");
+        QTRY_VERIFY(item("export.write") != nullptr && item("export.write")->isVisible());
+    }
+    void enterFolder(const QString& folder) {
+        click("export.inFolder");
+        click("export.folder");
+        QTRY_VERIFY(item("export.folder")->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(folder);
+    }
     void waitForPlan() { QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs); }
 };
 
@@ -106,6 +138,98 @@ void TestFarmWindow::plannedStoppedAndGoneOnWith() {
     picture("farm_print");
 }
 
+void TestFarmWindow::exportedTogether() {
+    const QTemporaryDir folder;
+    beginWithASmallOne();
+    openExport();
+    QCOMPARE(exporter().chosen().size(), 4);
+    enterFolder(folder.filePath("farm"));
+    picture("farm_export");
+    click("export.write");
+    QTRY_VERIFY_WITH_TIMEOUT(exporter().state() == ExportModel::State::Done, kPatienceMs);
+    // The small one is told, the others are there: a folder each, one set of task data with the three.
+    QCOMPARE(exporter().failures().size(), 1);
+    QVERIFY2(exporter().failures().front().startsWith("Corner: "), qPrintable(exporter().failures().front()));
+    QVERIFY2(exporter().message().startsWith("3 fields written"), qPrintable(exporter().message()));
+    QCOMPARE(exporter().problems(), QStringList{});
+    QVERIFY(exporter().checks() > 5);
+    for (const char* name : {"Field 1", "Field 2", "Field 3"}) {
+        QVERIFY(QFile::exists(folder.filePath("farm/%1/plan.geojson").arg(QLatin1String{name})));
+        QVERIFY(QFile::exists(folder.filePath("farm/%1/path.csv").arg(QLatin1String{name})));
+        QVERIFY(QFile::exists(folder.filePath("farm/%1/summary.json").arg(QLatin1String{name})));
+    }
+    const auto read = readFields(folder.filePath("farm/TASKDATA").toStdU16String());
+    QVERIFY(read.has_value());
+    QCOMPARE(read->fields.size(), std::size_t{3});
+    // What was planned on the way is planned.
+    QCOMPARE(list().stateOf(1), FarmList::Drivable);
+    QCOMPARE(list().stateOf(2), FarmList::Drivable);
+    QTRY_VERIFY(item("export.failures")->isVisible());
+    waitForRest(*item("export.write"));
+    picture("farm_export_done");
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(item("export.write") == nullptr || !item("export.write")->isVisible());
+    // The plan of the window is exported alone again.
+    key(Qt::Key_Escape);
+    key(Qt::Key_E, Qt::ControlModifier);
+    QTRY_VERIFY(item("export.heading") != nullptr && item("export.heading")->isVisible());
+    QVERIFY(!exporter().isSeveral());
+    QVERIFY(item("export.heading")->property("text").toString().startsWith("Field 1"));
+}
+
+void TestFarmWindow::exportStopped() {
+    const QTemporaryDir folder;
+    openExport();
+    QCOMPARE(exporter().chosen().size(), 30);
+    enterFolder(folder.path());
+    window_->resize(1000, 640);
+    click("export.write");
+    QTRY_VERIFY_WITH_TIMEOUT(QDir{folder.path()}.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size() >= 2,
+                             kPatienceMs);
+    QCOMPARE(exporter().state(), ExportModel::State::Writing);
+    QVERIFY(item("export.progress")->isVisible());
+    picture("farm_export_writing");
+    // Esc does not close what is being written; the button stops it.
+    key(Qt::Key_Escape);
+    QVERIFY(item("export.write")->isVisible());
+    click("export.close");
+    QTRY_COMPARE(exporter().state(), ExportModel::State::Failed);
+    QVERIFY(!exporter().remedy().isEmpty());
+    // Not one file of task data with some of the fields.
+    QVERIFY(!QFile::exists(folder.filePath("TASKDATA")));
+    waitForRest(*item("export.write"));
+    picture("farm_export_stopped");
+}
+
+void TestFarmWindow::exportedToAStick() {
+    const QTemporaryDir folder;
+    const QString path = folder.path();
+    StickExport& stick = *exporter().stick();
+    stick.setLister([path]() -> std::vector<StickExport::Stick> {
+        return {{path, QStringLiteral("FIELDS"), QStringLiteral("%1 · FAT32").arg(path)}};
+    });
+    stick.setTerminal(static_cast<int>(stick.terminalNames().indexOf("Another ISOBUS terminal")));
+    beginWithASmallOne();
+    openExport();
+    click("export.onStick");
+    QTRY_VERIFY(item("stick.row.0") != nullptr && item("stick.row.0")->isVisible());
+    QTRY_VERIFY(item("export.write")->isEnabled());
+    click("export.write");
+    QTRY_VERIFY_WITH_TIMEOUT(stick.state() == StickExport::State::Done, kPatienceMs);
+    QCOMPARE(stick.failures().size(), 1);
+    QVERIFY(stick.message().startsWith("Safe to unplug"));
+    QVERIFY2(stick.message().contains("these"), qPrintable(stick.message()));
+    QCOMPARE(readFields(folder.filePath("TASKDATA").toStdU16String())->fields.size(), std::size_t{3});
+    waitForRest(*item("export.write"));
+    picture("farm_export_stick");
+    // Once more: what is there is seen before the fields are planned again.
+    click("export.close");
+    click("farm.export");
+    click("export.onStick");
+    QTRY_VERIFY(item("stick.conflict") != nullptr && item("stick.conflict")->isVisible());
+    QVERIFY(!item("export.write")->isEnabled());
+}
+
 void TestFarmWindow::byKeys() {
     key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY(item("farm.list")->hasActiveFocus());
@@ -131,7 +255,7 @@ void TestFarmWindow::fitsSmallWindows() {
     waitForRest(*item("farm.field.1"));
     QVERIFY(map()->width() > 200.0);
     // The buttons are all inside.
-    for (const char* name : {"farm.plan", "farm.alike", "farm.addPlans", "farm.print"}) {
+    for (const char* name : {"farm.plan", "farm.alike", "farm.addPlans", "farm.print", "farm.export"}) {
         const QQuickItem* const button = item(QLatin1String{name});
         QVERIFY(button->mapToScene({button->width(), button->height()}).x() <= item("farmPanel")->width());
         QVERIFY(button->mapToScene({0.0, button->height()}).y() <= window_->height());

@@ -20,6 +20,8 @@ private slots:
     void cleanup();
     void commentsAtAPlaceAndOnAll();
     void sentReviewedAndTakenIn();
+    void aCommentIsEdited();
+    void anOpenedReviewIsOffered();
     void aForeignFileIsRefused();
 
 private:
@@ -143,6 +145,74 @@ void TestReviewWindow::sentReviewedAndTakenIn() {
     // One step back, and it never came.
     key(Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE(review().rowCount(), 1);
+}
+
+void TestReviewWindow::aCommentIsEdited() {
+    review().setAuthor("Ann");
+    click("review.onPlan");
+    comment("Start at the rode");
+    click("comment.0.edit");
+    QTRY_VERIFY(item("review.text")->isVisible() && item("review.text")->hasActiveFocus());
+    QCOMPARE(item("review.text")->property("text").toString(), "Start at the rode");
+    QVERIFY(!item("review.author")->isVisible());
+    picture("review_edit");
+    key(Qt::Key_A, Qt::ControlModifier);
+    comment("Start at the road");
+    const auto said = [this] { return review().data(review().index(0), ReviewModel::TextRole).toString(); };
+    QCOMPARE(said(), "Start at the road");
+    QCOMPARE(review().rowCount(), 1);
+    QVERIFY(!item("review.text")->isVisible());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(said(), "Start at the rode");
+    // By keys only, and given up.
+    item("comment.0.edit")->forceActiveFocus(Qt::TabFocusReason);
+    key(Qt::Key_Space);
+    QTRY_VERIFY(item("review.text")->hasActiveFocus());
+    type("x");
+    click("review.cancel");
+    QCOMPARE(said(), "Start at the rode");
+    // What somebody else said stays what was said.
+    review().setAuthor("Bob");
+    QTRY_VERIFY(!item("comment.0.edit")->isVisible());
+    review().setAuthor("");
+}
+
+void TestReviewWindow::anOpenedReviewIsOffered() {
+    const QTemporaryDir folder;
+    const QString back = folder.filePath("back.furrow");
+    click("review.onPlan");
+    comment("Please look at the turns");
+    review().send(QUrl::fromLocalFile(folder.filePath("sent.furrow")));
+    waitForMessage();
+    const History farmers = session_->document()->history();
+    auto opened = readProject(folder.filePath("sent.furrow").toStdU16String());
+    session_->document()->begin(History{.base = std::make_shared<const Project>(std::move(opened->project))});
+    QTRY_VERIFY(isFinished(session_->planning()->state()));
+    click("review.onPlan");
+    comment("They are good");
+    review().dismiss();
+    review().send(QUrl::fromLocalFile(back));
+    waitForMessage();
+    session_->document()->begin(farmers);
+    QTRY_VERIFY(isFinished(session_->planning()->state()));
+    review().dismiss();
+    // Opened like any project.
+    const auto open = [this, &back] {
+        QMetaObject::invokeMethod(window_, "openPath", Q_ARG(QString, back));
+        QTRY_VERIFY(item("reviewOffer.take") != nullptr && item("reviewOffer.take")->isVisible());
+        QTRY_VERIFY(item("reviewOffer.take")->hasActiveFocus());
+    };
+    open();
+    picture("review_offer");
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(item("reviewOffer.take") == nullptr || !item("reviewOffer.take")->isVisible());
+    QCOMPARE(review().rowCount(), 1);
+    open();
+    key(Qt::Key_Return);
+    waitForMessage();
+    QVERIFY2(!review().hasFailed(), qPrintable(review().message()));
+    QCOMPARE(review().rowCount(), 2);
+    QCOMPARE(session_->document()->history().steps.size(), farmers.steps.size() + 1);
 }
 
 void TestReviewWindow::aForeignFileIsRefused() {
