@@ -574,6 +574,30 @@
         <source>bug crash support error</source>
         <translation>Fehler Absturz Hilfe</translation>
     </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Schlag aus einer Aufzeichnung machen…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>Feldgrenze gefahren aufgezeichnet GPX NMEA umfahren</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Auf zwei Karten vergleichen</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>vergleichen nebeneinander geteilte Karte zwei</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Nächster Hinweis derselben Art</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Voriger Hinweis derselben Art</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -753,6 +777,10 @@
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>ComparePanel</name>
@@ -789,10 +817,6 @@
         <translation>%1: %2, der andere %3</translation>
     </message>
     <message>
-        <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>Auf der Karte: volle Linien nur in diesem Plan, gestrichelte nur im anderen.</translation>
-    </message>
-    <message>
         <source>Hold to see the other plan (key X)</source>
         <translation>Halten: der andere Plan (Taste X)</translation>
     </message>
@@ -811,6 +835,18 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Mit dem anderen Plan weiter</translation>
+    </message>
+    <message>
+        <source>Two maps side by side (Ctrl+Shift+D)</source>
+        <translation>Zwei Karten nebeneinander (Strg+Umschalt+D)</translation>
+    </message>
+    <message>
+        <source>On the maps, swaths, headland passes and turns are coloured that the other plan has not: full lines in this plan, dashes in the other.</source>
+        <translation>Auf den Karten sind Spuren, Vorgewendespuren und Wendungen farbig, die der andere Plan nicht hat: volle Linien in diesem Plan, gestrichelte im anderen.</translation>
+    </message>
+    <message>
+        <source>On the map, swaths, headland passes and turns: full lines only in this plan, dashes only in the other.</source>
+        <translation>Auf der Karte, Spuren, Vorgewendespuren und Wendungen: volle Linien nur in diesem Plan, gestrichelte nur im anderen.</translation>
     </message>
 </context>
 <context>
@@ -907,6 +943,10 @@
     <message>
         <source>Another track…</source>
         <translation>Andere Aufzeichnung …</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Schlag daraus machen</translation>
     </message>
 </context>
 <context>
@@ -1010,6 +1050,14 @@
             <numerusform>%n Probleme in diesem Plan: So ist er nicht fahrbar. Das steht auch in den Dateien.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Export fields</source>
+        <translation>Schläge exportieren</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
 </context>
 <context>
     <name>ExportFolderPage</name>
@@ -1024,6 +1072,10 @@
     <message>
         <source>Folder for the plan</source>
         <translation>Ordner für den Plan</translation>
+    </message>
+    <message>
+        <source>Fields without a plan are planned on the way. Each field gets a folder of its own; ISOXML and AgGPS hold all fields in one.</source>
+        <translation>Schläge ohne Plan werden dabei geplant. Jeder Schlag bekommt einen eigenen Ordner; ISOXML und AgGPS enthalten alle Schläge gemeinsam.</translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1247,10 @@
         <source>Print…</source>
         <translation>Drucken …</translation>
     </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
 </context>
 <context>
     <name>FarmRow</name>
@@ -1245,6 +1301,197 @@
     </message>
 </context>
 <context>
+    <name>FieldFromTrackPanel</name>
+    <message>
+        <source>Field from a track</source>
+        <translation>Schlag aus einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>How it was driven</source>
+        <translation>Wie gefahren wurde</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Arbeitsbreite</translation>
+    </message>
+    <message>
+        <source>The edge lies outside of the line by</source>
+        <translation>Die Grenze liegt außerhalb der Linie um</translation>
+    </message>
+    <message>
+        <source>Half a width: the implement ran along the edge</source>
+        <translation>Halbe Breite: Das Gerät lief an der Grenze</translation>
+    </message>
+    <message>
+        <source>None: the line is the edge</source>
+        <translation>Nichts: Die Linie ist die Grenze</translation>
+    </message>
+    <message>
+        <source>Gaps between strips are closed up to</source>
+        <translation>Lücken zwischen Streifen werden geschlossen bis</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Make the field</source>
+        <translation>Schlag anlegen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>FieldsToExport</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weiterer</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
+        <translation>%1: Der Plan hat Probleme und ist so, wie er gezeichnet ist, nicht fahrbar. Die Dateien sagen es auch.</translation>
+    </message>
+</context>
+<context>
+    <name>FileList</name>
+    <message>
+        <source>%1, falling</source>
+        <translation>%1, absteigend</translation>
+    </message>
+    <message>
+        <source>%1, rising</source>
+        <translation>%1, aufsteigend</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Files of %1</source>
+        <translation>Dateien in %1</translation>
+    </message>
+    <message>
+        <source>Folder %1</source>
+        <translation>Ordner %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Reading the folder …</source>
+        <translation>Ordner wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing to choose here.</source>
+        <translation>Hier gibt es nichts zu wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>FileWindow</name>
+    <message>
+        <source>The folder around it (Backspace)</source>
+        <translation>Der Ordner darüber (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>Neuer Ordner…</translation>
+    </message>
+    <message>
+        <source>“%1” is already there. Write over it?</source>
+        <translation>„%1“ gibt es schon. Überschreiben?</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”. Make it?</source>
+        <translation>Einen Ordner „%1“ gibt es nicht. Anlegen?</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Name des neuen Ordners</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Make the folder</source>
+        <translation>Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Which files are shown</source>
+        <translation>Welche Dateien gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Choose this folder</source>
+        <translation>Diesen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>The folder “%1” cannot be made.</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There is nothing called “%1”.</source>
+        <translation>Es gibt nichts, das „%1“ heißt.</translation>
+    </message>
+    <message>
+        <source>Choose files only, or one folder to look into.</source>
+        <translation>Wählen Sie nur Dateien, oder einen Ordner, um hineinzusehen.</translation>
+    </message>
+    <message>
+        <source>Choose a file first.</source>
+        <translation>Wählen Sie erst eine Datei.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written in “%1”. Choose another folder.</source>
+        <translation>In „%1“ kann nichts geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Give the file a name.</source>
+        <translation>Geben Sie der Datei einen Namen.</translation>
+    </message>
+</context>
+<context>
     <name>FilesNotice</name>
     <message>
         <source>Keep</source>
@@ -1284,6 +1531,18 @@
     <message>
         <source>For information</source>
         <translation>Zur Kenntnis</translation>
+    </message>
+    <message>
+        <source>%1 of %2 of this kind</source>
+        <translation>%1 von %2 dieser Art</translation>
+    </message>
+    <message>
+        <source>The one before, of this kind (Ctrl+Shift+F8)</source>
+        <translation>Der vorige dieser Art (Strg+Umschalt+F8)</translation>
+    </message>
+    <message>
+        <source>The next of this kind (Ctrl+F8)</source>
+        <translation>Der nächste dieser Art (Strg+F8)</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1932,30 @@
         <source>no room</source>
         <translation>kein Platz</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Weg zurück zur Arbeit</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Weg zum Entladen</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Weg zum Befüllen</translation>
+    </message>
+    <message>
+        <source>In the bunker</source>
+        <translation>Im Bunker</translation>
+    </message>
+    <message>
+        <source>In the tank</source>
+        <translation>Im Tank</translation>
+    </message>
+    <message>
+        <source>Then stands</source>
+        <translation>Steht danach</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1923,6 +2206,10 @@
         <source>Keep the machine as</source>
         <translation>Maschine behalten als</translation>
     </message>
+    <message>
+        <source>This plan: %1</source>
+        <translation>Dieser Plan: %1</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2054,6 +2341,21 @@
     </message>
 </context>
 <context>
+    <name>OtherMap</name>
+    <message>
+        <source>Map of the other plan: %1</source>
+        <translation>Karte des anderen Plans: %1</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>Der andere Plan wird gemacht …</translation>
+    </message>
+    <message>
+        <source>The other: %1</source>
+        <translation>Der andere: %1</translation>
+    </message>
+</context>
+<context>
     <name>PageList</name>
     <message>
         <source>Pages</source>
@@ -2104,6 +2406,25 @@
     <message>
         <source>Click the place on the map. Esc ends it.</source>
         <translation>Die Stelle auf der Karte anklicken. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Click the places on the map</source>
+        <translation>Klicken Sie die Stellen auf der Karte an</translation>
+    </message>
+    <message>
+        <source>Click another place, or one of them to remove it</source>
+        <translation>Klicken Sie eine weitere Stelle an, oder eine davon, um sie zu entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>PlacesPicker</name>
+    <message>
+        <source>Place %1: remove it</source>
+        <translation>Stelle %1: entfernen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6846,135 @@
         <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
         <translation>das ist ein Fehler von Furrow; bitte mit Schlag, Maschine und Einstellungen melden</translation>
     </message>
+    <message>
+        <source>%1 %2 is no place in WGS84</source>
+        <translation>%1 %2 ist keine Stelle in WGS84</translation>
+    </message>
+    <message>
+        <source>%1 gathers %2; the bunker holds %3.</source>
+        <translation>%1 bringt %2; der Bunker fasst %3.</translation>
+    </message>
+    <message>
+        <source>%1 of standing</source>
+        <translation>%1 Standzeit</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; the tank holds %3.</source>
+        <translation>%1 braucht %2; der Tank fasst %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes are too long for it.</source>
+        <translation>
+            <numerusform>%n Durchgang ist zu lang dafür.</numerusform>
+            <numerusform>%n Durchgänge sind zu lang dafür.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n refills, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Eine Befüllung, mit %1 Weg hin und zurück und %2.</numerusform>
+            <numerusform>%n Befüllungen, mit %1 Weg hin und zurück und %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unloadings, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Eine Entladung, mit %1 Weg hin und zurück und %2.</numerusform>
+            <numerusform>%n Entladungen, mit %1 Weg hin und zurück und %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose another refill point.</source>
+        <translation>Wählen Sie eine andere Füllstelle.</translation>
+    </message>
+    <message>
+        <source>Give more refill points, or ones that are nearer.</source>
+        <translation>Geben Sie mehr Füllstellen an, oder nähere.</translation>
+    </message>
+    <message>
+        <source>Let ways cross the mainland (route.traversal), so that swaths may be interrupted, or lay the swaths the short way.</source>
+        <translation>Lassen Sie Wege über die Innenfläche zu (route.traversal), damit Spuren unterbrochen werden dürfen, oder legen Sie die Spuren in der kurzen Richtung.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the bunker holds are gathered.</source>
+        <translation>Keine Fahrt zu einer Entladestelle ist nötig: %1 von den %2, die der Bunker fasst, kommen zusammen.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the tank holds are used.</source>
+        <translation>Keine Fahrt zu einer Füllstelle ist nötig: %1 von den %2, die der Tank fasst, werden gebraucht.</translation>
+    </message>
+    <message>
+        <source>No way to a refill point leads from the work before %1.</source>
+        <translation>Von der Arbeit vor %1 führt kein Weg zu einer Füllstelle.</translation>
+    </message>
+    <message>
+        <source>POINT (%1 %2) lies outside of the field</source>
+        <translation>POINT (%1 %2) liegt außerhalb des Schlags</translation>
+    </message>
+    <message>
+        <source>Plan again; the levels were changed.</source>
+        <translation>Planen Sie neu; die Füllstände wurden geändert.</translation>
+    </message>
+    <message>
+        <source>Refill points</source>
+        <translation>Füllstellen</translation>
+    </message>
+    <message>
+        <source>That the machine stands each time its tank is filled or its bunker emptied; 300 s where it is not given.</source>
+        <translation>So lange steht die Maschine jedes Mal, wenn der Tank gefüllt oder der Bunker entleert wird; 300 s, wenn nichts angegeben ist.</translation>
+    </message>
+    <message>
+        <source>The bunker is full in %1: %2 are worked beyond that.</source>
+        <translation>Der Bunker ist voll in %1: %2 werden darüber hinaus bearbeitet.</translation>
+    </message>
+    <message>
+        <source>The level changes %1 away from the refill points.</source>
+        <translation>Der Füllstand ändert sich %1 entfernt von den Füllstellen.</translation>
+    </message>
+    <message>
+        <source>The machine has no room at this refill point.</source>
+        <translation>An dieser Füllstelle hat die Maschine keinen Platz.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s at a refill point, and does not in %2.</source>
+        <translation>Die Maschine muss an einer Füllstelle %1 s stehen und tut es nicht: %2.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine has no tank.</source>
+        <translation>Die Füllstellen werden nicht gebraucht: Diese Maschine hat keinen Tank.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine&apos;s tank has no rate.</source>
+        <translation>Die Füllstellen werden nicht gebraucht: Für den Tank dieser Maschine ist keine Menge je m² angegeben.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this operation uses no tank.</source>
+        <translation>Die Füllstellen werden nicht gebraucht: Diese Arbeit verwendet keinen Tank.</translation>
+    </message>
+    <message>
+        <source>The stated level differs from the work that is done, by up to %1 of the tank.</source>
+        <translation>Der angegebene Füllstand weicht von der Arbeit ab, um bis zu %1 des Tanks.</translation>
+    </message>
+    <message>
+        <source>The tank is empty in %1: %2 are worked beyond that.</source>
+        <translation>Der Tank ist leer in %1: %2 werden darüber hinaus bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Time to fill</source>
+        <translation>Füllzeit</translation>
+    </message>
+    <message>
+        <source>Where the tank is filled or the bunker emptied: points or names of gates, divided by semicolons.</source>
+        <translation>Wo der Tank gefüllt oder der Bunker entleert wird: Punkte oder Namen von Zufahrten, durch Semikolon getrennt.</translation>
+    </message>
+    <message>
+        <source>give longitude, then latitude, in degrees</source>
+        <translation>geben Sie Länge, dann Breite, in Grad an</translation>
+    </message>
+    <message>
+        <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
+        <translation>Namen von Zufahrten oder Punkte in WGS84 wie MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6755,6 +7205,14 @@
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
+    <message>
+        <source>first plan: preliminary figures</source>
+        <translation>erster Plan: vorläufige Zahlen</translation>
+    </message>
+    <message>
+        <source>of the plan before</source>
+        <translation>vom Plan davor</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialogs</name>
@@ -6773,6 +7231,26 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Take in this review?</source>
+        <translation>Diese Durchsicht übernehmen?</translation>
+    </message>
+    <message>
+        <source>The file is a review of a plan of the project that is open. Its comments can be taken in here.</source>
+        <translation>Die Datei ist die Durchsicht eines Plans aus dem geöffneten Projekt. Ihre Kommentare können hier übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Take in</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Open by itself</source>
+        <translation>Für sich öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +7333,14 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Comment %1:</source>
+        <translation>Kommentar %1:</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
     </message>
 </context>
 <context>
@@ -7081,6 +7567,29 @@
     <message>
         <source>Ctrl+S saves the project, F1 opens the guide.</source>
         <translation>Strg+S speichert das Projekt, F1 öffnet das Handbuch.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackQuestion</name>
+    <message>
+        <source>“%1” is a recorded track</source>
+        <translation>„%1“ ist eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>It can become a field, or be laid over the plan to see how far beside it was driven.</source>
+        <translation>Daraus kann ein Schlag werden, oder sie wird über den Plan gelegt und zeigt, wie weit daneben gefahren wurde.</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Schlag daraus machen</translation>
+    </message>
+    <message>
+        <source>Lay it over the plan</source>
+        <translation>Über den Plan legen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -7639,6 +8148,14 @@
         <source>Page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
     </message>
+    <message>
+        <source>Unloadings</source>
+        <translation>Entladungen</translation>
+    </message>
+    <message>
+        <source>Refills</source>
+        <translation>Befüllungen</translation>
+    </message>
 </context>
 <context>
     <name>furrow::BestSearch</name>
@@ -7753,6 +8270,26 @@
     <message>
         <source>tank empty</source>
         <translation>Tank leer</translation>
+    </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Weg zurück zur Arbeit</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Weg zum Entladen</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Weg zum Befüllen</translation>
+    </message>
+    <message>
+        <source>Way without work</source>
+        <translation>Weg ohne Arbeit</translation>
+    </message>
+    <message>
+        <source>bunker %1</source>
+        <translation>Bunker %1</translation>
     </message>
 </context>
 <context>
@@ -7870,6 +8407,43 @@
     <message>
         <source>There is no plan to export. The message on the map says why.</source>
         <translation>Es gibt keinen Plan zum Exportieren. Die Meldung auf der Karte sagt, warum.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n Schlag</numerusform>
+            <numerusform>%n Schläge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Furrow plans</source>
+        <translation>Furrow Pläne</translation>
+    </message>
+    <message>
+        <source>None of the fields could be exported.</source>
+        <translation>Keiner der Schläge konnte exportiert werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) written to %1</source>
+        <translation>
+            <numerusform>%n Schlag nach %1 geschrieben</numerusform>
+            <numerusform>%n Schläge nach %1 geschrieben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing was stopped.</source>
+        <translation>Das Schreiben wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Fields that were written before stay in the folder.</source>
+        <translation>Schläge, die schon geschrieben waren, bleiben im Ordner.</translation>
     </message>
 </context>
 <context>
@@ -8133,6 +8707,63 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldFromTrack</name>
+    <message numerus="yes">
+        <source>%n position(s)</source>
+        <translation>
+            <numerusform>%n Position</numerusform>
+            <numerusform>%n Positionen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s)</source>
+        <translation>
+            <numerusform>%n Fahrt</numerusform>
+            <numerusform>%n Fahrten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The pieces do not touch: each becomes a field of its own.</source>
+        <translation>Die Stücke berühren sich nicht: Jedes wird ein eigener Schlag.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Points of the boundary</source>
+        <translation>Punkte der Feldgrenze</translation>
+    </message>
+    <message>
+        <source>Around the field</source>
+        <translation>Um den Schlag herum</translation>
+    </message>
+    <message>
+        <source>Over the whole field, at work</source>
+        <translation>Über den ganzen Schlag, bei der Arbeit</translation>
+    </message>
+    <message>
+        <source>As it looks: around the field</source>
+        <translation>Wie es aussieht: um den Schlag</translation>
+    </message>
+    <message>
+        <source>As it looks: over the field</source>
+        <translation>Wie es aussieht: über den Schlag</translation>
+    </message>
+    <message>
+        <source>As it looks</source>
+        <translation>Wie es aussieht</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
@@ -8238,6 +8869,33 @@
     <message>
         <source>Ground outside that the machine or its implement drives over</source>
         <translation>Boden außerhalb, über den Maschine oder Gerät fahren</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FileBrowser</name>
+    <message>
+        <source>This folder cannot be read.</source>
+        <translation>Dieser Ordner kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Persönlicher Ordner</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Downloads</source>
+        <translation>Downloads</translation>
+    </message>
+    <message>
+        <source>Desktop</source>
+        <translation>Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
     </message>
 </context>
 <context>
@@ -8528,6 +9186,26 @@
         <source>Take the standard settings</source>
         <translation>Standardeinstellungen nehmen</translation>
     </message>
+    <message>
+        <source>Inside the headland</source>
+        <translation>Innenfläche</translation>
+    </message>
+    <message>
+        <source>Headland passes: %1 only in this plan, %2 only in the other.</source>
+        <translation>Vorgewendespuren: %1 nur in diesem Plan, %2 nur im anderen.</translation>
+    </message>
+    <message>
+        <source>Turns and ways: %1 only in this plan, %2 only in the other.</source>
+        <translation>Wendungen und Wege: %1 nur in diesem Plan, %2 nur im anderen.</translation>
+    </message>
+    <message>
+        <source>All headland passes lie in the same places.</source>
+        <translation>Alle Vorgewendespuren liegen an denselben Stellen.</translation>
+    </message>
+    <message>
+        <source>All turns and ways lie in the same places.</source>
+        <translation>Alle Wendungen und Wege liegen an denselben Stellen.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::Planning</name>
@@ -8596,6 +9274,22 @@
             <numerusform>%n Problem</numerusform>
             <numerusform>%n Probleme</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Out of date · this is a first plan</source>
+        <translation>Veraltet · dies ist ein erster Plan</translation>
+    </message>
+    <message>
+        <source>First plan · being improved …</source>
+        <translation>Erster Plan · wird verbessert …</translation>
+    </message>
+    <message>
+        <source>First plan · comparing %1 of %2 …</source>
+        <translation>Erster Plan · vergleicht %1 von %2 …</translation>
+    </message>
+    <message>
+        <source>Planning … · comparing %1 of %2</source>
+        <translation>Wird geplant … · vergleicht %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -8858,6 +9552,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>Edit a comment</source>
+        <translation>Kommentar bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StepsModel</name>
@@ -9020,6 +9718,18 @@
         <source>Export</source>
         <translation>Export</translation>
     </message>
+    <message>
+        <source>First plan, being improved</source>
+        <translation>Erster Plan, wird verbessert</translation>
+    </message>
+    <message>
+        <source>Only the finished plan is checked</source>
+        <translation>Erst der fertige Plan wird geprüft</translation>
+    </message>
+    <message>
+        <source>Until then the map shows the plan before</source>
+        <translation>Bis dahin zeigt die Karte den Plan davor</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -9058,6 +9768,10 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Noch einmal schreiben, wenn der Plan fertig ist.</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the fields read from there are these.</source>
+        <translation>jedes Byte wurde zurückgelesen, und die Schläge von dort sind diese.</translation>
     </message>
 </context>
 <context>

@@ -574,6 +574,30 @@
         <source>bug crash support error</source>
         <translation>error fallo soporte</translation>
     </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Hacer una parcela de un recorrido grabado…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>límite conducido grabado GPX NMEA rodear</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Comparar en dos mapas</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>comparar lado a lado mapa dividido dos</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Siguiente aviso del mismo tipo</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Aviso anterior del mismo tipo</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -753,6 +777,10 @@
         <source>Remove</source>
         <translation>Quitar</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
 </context>
 <context>
     <name>ComparePanel</name>
@@ -789,10 +817,6 @@
         <translation>%1: %2, el otro %3</translation>
     </message>
     <message>
-        <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>En el mapa: líneas continuas, solo en este plan; a trazos, solo en el otro.</translation>
-    </message>
-    <message>
         <source>Hold to see the other plan (key X)</source>
         <translation>Mantenga para ver el otro plan (tecla X)</translation>
     </message>
@@ -811,6 +835,18 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Seguir con el otro plan</translation>
+    </message>
+    <message>
+        <source>Two maps side by side (Ctrl+Shift+D)</source>
+        <translation>Dos mapas uno junto al otro (Ctrl+Mayús+D)</translation>
+    </message>
+    <message>
+        <source>On the maps, swaths, headland passes and turns are coloured that the other plan has not: full lines in this plan, dashes in the other.</source>
+        <translation>En los mapas se colorean las pasadas, pasadas de cabecera y giros que el otro plan no tiene: líneas continuas en este plan, a trazos en el otro.</translation>
+    </message>
+    <message>
+        <source>On the map, swaths, headland passes and turns: full lines only in this plan, dashes only in the other.</source>
+        <translation>En el mapa, pasadas, pasadas de cabecera y giros: líneas continuas solo en este plan, a trazos solo en el otro.</translation>
     </message>
 </context>
 <context>
@@ -907,6 +943,10 @@
     <message>
         <source>Another track…</source>
         <translation>Otro recorrido…</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Hacer una parcela de él</translation>
     </message>
 </context>
 <context>
@@ -1010,6 +1050,14 @@
             <numerusform>%n problemas en este plan: no se puede recorrer tal como está. Los archivos también lo dicen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Export fields</source>
+        <translation>Exportar parcelas</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
 </context>
 <context>
     <name>ExportFolderPage</name>
@@ -1024,6 +1072,10 @@
     <message>
         <source>Folder for the plan</source>
         <translation>Carpeta para el plan</translation>
+    </message>
+    <message>
+        <source>Fields without a plan are planned on the way. Each field gets a folder of its own; ISOXML and AgGPS hold all fields in one.</source>
+        <translation>Las parcelas sin plan se planifican de paso. Cada parcela tiene su propia carpeta; ISOXML y AgGPS contienen todas las parcelas juntas.</translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1247,10 @@
         <source>Print…</source>
         <translation>Imprimir…</translation>
     </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
 </context>
 <context>
     <name>FarmRow</name>
@@ -1245,6 +1301,197 @@
     </message>
 </context>
 <context>
+    <name>FieldFromTrackPanel</name>
+    <message>
+        <source>Field from a track</source>
+        <translation>Parcela de un recorrido</translation>
+    </message>
+    <message>
+        <source>How it was driven</source>
+        <translation>Cómo se condujo</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Ancho de trabajo</translation>
+    </message>
+    <message>
+        <source>The edge lies outside of the line by</source>
+        <translation>El borde está fuera de la línea</translation>
+    </message>
+    <message>
+        <source>Half a width: the implement ran along the edge</source>
+        <translation>Medio ancho: el apero iba por el borde</translation>
+    </message>
+    <message>
+        <source>None: the line is the edge</source>
+        <translation>Nada: la línea es el borde</translation>
+    </message>
+    <message>
+        <source>Gaps between strips are closed up to</source>
+        <translation>Los huecos entre franjas se cierran hasta</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Make the field</source>
+        <translation>Crear la parcela</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>FieldsToExport</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 y %n más</numerusform>
+            <numerusform>%1 y %n más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
+        <translation>%1: el plan tiene problemas y no se puede recorrer como está dibujado. Los archivos también lo dicen.</translation>
+    </message>
+</context>
+<context>
+    <name>FileList</name>
+    <message>
+        <source>%1, falling</source>
+        <translation>%1, descendente</translation>
+    </message>
+    <message>
+        <source>%1, rising</source>
+        <translation>%1, ascendente</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Modificado</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Files of %1</source>
+        <translation>Archivos de %1</translation>
+    </message>
+    <message>
+        <source>Folder %1</source>
+        <translation>Carpeta %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Reading the folder …</source>
+        <translation>Leyendo la carpeta …</translation>
+    </message>
+    <message>
+        <source>Nothing to choose here.</source>
+        <translation>Aquí no hay nada que elegir.</translation>
+    </message>
+</context>
+<context>
+    <name>FileWindow</name>
+    <message>
+        <source>The folder around it (Backspace)</source>
+        <translation>La carpeta superior (Retroceso)</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>Nueva carpeta…</translation>
+    </message>
+    <message>
+        <source>“%1” is already there. Write over it?</source>
+        <translation>«%1» ya existe. ¿Sobrescribirlo?</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”. Make it?</source>
+        <translation>No hay ninguna carpeta «%1». ¿Crearla?</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Nombre de la nueva carpeta</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>No</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Sobrescribir</translation>
+    </message>
+    <message>
+        <source>Make the folder</source>
+        <translation>Crear la carpeta</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Which files are shown</source>
+        <translation>Qué archivos se muestran</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Choose this folder</source>
+        <translation>Elegir esta carpeta</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>The folder “%1” cannot be made.</source>
+        <translation>La carpeta «%1» no se puede crear.</translation>
+    </message>
+    <message>
+        <source>There is nothing called “%1”.</source>
+        <translation>No hay nada llamado «%1».</translation>
+    </message>
+    <message>
+        <source>Choose files only, or one folder to look into.</source>
+        <translation>Elija solo archivos, o una carpeta para entrar en ella.</translation>
+    </message>
+    <message>
+        <source>Choose a file first.</source>
+        <translation>Elija primero un archivo.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written in “%1”. Choose another folder.</source>
+        <translation>No se puede escribir en «%1». Elija otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Give the file a name.</source>
+        <translation>Dé un nombre al archivo.</translation>
+    </message>
+</context>
+<context>
     <name>FilesNotice</name>
     <message>
         <source>Keep</source>
@@ -1284,6 +1531,18 @@
     <message>
         <source>For information</source>
         <translation>Para su información</translation>
+    </message>
+    <message>
+        <source>%1 of %2 of this kind</source>
+        <translation>%1 de %2 de este tipo</translation>
+    </message>
+    <message>
+        <source>The one before, of this kind (Ctrl+Shift+F8)</source>
+        <translation>El anterior de este tipo (Ctrl+Mayús+F8)</translation>
+    </message>
+    <message>
+        <source>The next of this kind (Ctrl+F8)</source>
+        <translation>El siguiente de este tipo (Ctrl+F8)</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1932,30 @@
         <source>no room</source>
         <translation>no cabe</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Camino de vuelta al trabajo</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Camino a la descarga</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Camino a la recarga</translation>
+    </message>
+    <message>
+        <source>In the bunker</source>
+        <translation>En la tolva</translation>
+    </message>
+    <message>
+        <source>In the tank</source>
+        <translation>En el depósito</translation>
+    </message>
+    <message>
+        <source>Then stands</source>
+        <translation>Después se para</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1923,6 +2206,10 @@
         <source>Keep the machine as</source>
         <translation>Guardar la máquina como</translation>
     </message>
+    <message>
+        <source>This plan: %1</source>
+        <translation>Este plan: %1</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2054,6 +2341,21 @@
     </message>
 </context>
 <context>
+    <name>OtherMap</name>
+    <message>
+        <source>Map of the other plan: %1</source>
+        <translation>Mapa del otro plan: %1</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>Se está calculando el otro plan…</translation>
+    </message>
+    <message>
+        <source>The other: %1</source>
+        <translation>El otro: %1</translation>
+    </message>
+</context>
+<context>
     <name>PageList</name>
     <message>
         <source>Pages</source>
@@ -2104,6 +2406,25 @@
     <message>
         <source>Click the place on the map. Esc ends it.</source>
         <translation>Haga clic en el lugar del mapa. Esc para terminar.</translation>
+    </message>
+    <message>
+        <source>Click the places on the map</source>
+        <translation>Haga clic en los lugares del mapa</translation>
+    </message>
+    <message>
+        <source>Click another place, or one of them to remove it</source>
+        <translation>Haga clic en otro lugar, o en uno de ellos para quitarlo</translation>
+    </message>
+</context>
+<context>
+    <name>PlacesPicker</name>
+    <message>
+        <source>Place %1: remove it</source>
+        <translation>Lugar %1: quitarlo</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminada</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6846,135 @@
         <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
         <translation>es un error de Furrow; comuníquelo con la parcela, la máquina y los ajustes</translation>
     </message>
+    <message>
+        <source>%1 %2 is no place in WGS84</source>
+        <translation>%1 %2 no es un lugar en WGS84</translation>
+    </message>
+    <message>
+        <source>%1 gathers %2; the bunker holds %3.</source>
+        <translation>%1 recoge %2; en la tolva caben %3.</translation>
+    </message>
+    <message>
+        <source>%1 of standing</source>
+        <translation>%1 de parada</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; the tank holds %3.</source>
+        <translation>%1 gasta %2; en el depósito caben %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes are too long for it.</source>
+        <translation>
+            <numerusform>%n pasada es demasiado larga.</numerusform>
+            <numerusform>%n pasadas son demasiado largas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n refills, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Una recarga, con %1 de camino de ida y vuelta y %2.</numerusform>
+            <numerusform>%n recargas, con %1 de camino de ida y vuelta y %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unloadings, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Una descarga, con %1 de camino de ida y vuelta y %2.</numerusform>
+            <numerusform>%n descargas, con %1 de camino de ida y vuelta y %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose another refill point.</source>
+        <translation>Elija otro punto de recarga.</translation>
+    </message>
+    <message>
+        <source>Give more refill points, or ones that are nearer.</source>
+        <translation>Indique más puntos de recarga, o más cercanos.</translation>
+    </message>
+    <message>
+        <source>Let ways cross the mainland (route.traversal), so that swaths may be interrupted, or lay the swaths the short way.</source>
+        <translation>Permita caminos por el interior (route.traversal), para que se puedan interrumpir las pasadas, o trace las pasadas en la dirección corta.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the bunker holds are gathered.</source>
+        <translation>No hace falta ir a un punto de descarga: se recogen %1 de los %2 que caben en la tolva.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the tank holds are used.</source>
+        <translation>No hace falta ir a un punto de recarga: se usan %1 de los %2 que caben en el depósito.</translation>
+    </message>
+    <message>
+        <source>No way to a refill point leads from the work before %1.</source>
+        <translation>Ningún camino lleva a un punto de recarga desde el trabajo antes de %1.</translation>
+    </message>
+    <message>
+        <source>POINT (%1 %2) lies outside of the field</source>
+        <translation>POINT (%1 %2) está fuera de la parcela</translation>
+    </message>
+    <message>
+        <source>Plan again; the levels were changed.</source>
+        <translation>Planifique de nuevo; se cambiaron los niveles.</translation>
+    </message>
+    <message>
+        <source>Refill points</source>
+        <translation>Puntos de recarga</translation>
+    </message>
+    <message>
+        <source>That the machine stands each time its tank is filled or its bunker emptied; 300 s where it is not given.</source>
+        <translation>Lo que la máquina está parada cada vez que se llena el depósito o se vacía la tolva; 300 s si no se indica.</translation>
+    </message>
+    <message>
+        <source>The bunker is full in %1: %2 are worked beyond that.</source>
+        <translation>La tolva está llena en %1: se trabajan %2 más.</translation>
+    </message>
+    <message>
+        <source>The level changes %1 away from the refill points.</source>
+        <translation>El nivel cambia a %1 de los puntos de recarga.</translation>
+    </message>
+    <message>
+        <source>The machine has no room at this refill point.</source>
+        <translation>La máquina no tiene sitio en este punto de recarga.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s at a refill point, and does not in %2.</source>
+        <translation>La máquina debe estar parada %1 s en un punto de recarga y no lo hace: %2.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine has no tank.</source>
+        <translation>Los puntos de recarga no se usan: esta máquina no tiene depósito.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine&apos;s tank has no rate.</source>
+        <translation>Los puntos de recarga no se usan: el depósito de esta máquina no tiene dosis.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this operation uses no tank.</source>
+        <translation>Los puntos de recarga no se usan: esta labor no usa depósito.</translation>
+    </message>
+    <message>
+        <source>The stated level differs from the work that is done, by up to %1 of the tank.</source>
+        <translation>El nivel indicado difiere del trabajo hecho, hasta en %1 del depósito.</translation>
+    </message>
+    <message>
+        <source>The tank is empty in %1: %2 are worked beyond that.</source>
+        <translation>El depósito está vacío en %1: se trabajan %2 más.</translation>
+    </message>
+    <message>
+        <source>Time to fill</source>
+        <translation>Tiempo de llenado</translation>
+    </message>
+    <message>
+        <source>Where the tank is filled or the bunker emptied: points or names of gates, divided by semicolons.</source>
+        <translation>Dónde se llena el depósito o se vacía la tolva: puntos o nombres de entradas, separados por punto y coma.</translation>
+    </message>
+    <message>
+        <source>give longitude, then latitude, in degrees</source>
+        <translation>indique longitud, luego latitud, en grados</translation>
+    </message>
+    <message>
+        <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
+        <translation>nombres de entradas o puntos en WGS84 como MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6755,6 +7205,14 @@
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
+    <message>
+        <source>first plan: preliminary figures</source>
+        <translation>primer plan: cifras provisionales</translation>
+    </message>
+    <message>
+        <source>of the plan before</source>
+        <translation>del plan anterior</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialogs</name>
@@ -6773,6 +7231,26 @@
     <message>
         <source>All files (*)</source>
         <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Take in this review?</source>
+        <translation>¿Incorporar esta revisión?</translation>
+    </message>
+    <message>
+        <source>The file is a review of a plan of the project that is open. Its comments can be taken in here.</source>
+        <translation>El archivo es una revisión de un plan del proyecto abierto. Sus comentarios se pueden incorporar aquí.</translation>
+    </message>
+    <message>
+        <source>Take in</source>
+        <translation>Incorporar</translation>
+    </message>
+    <message>
+        <source>Open by itself</source>
+        <translation>Abrir por separado</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +7333,14 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Comment %1:</source>
+        <translation>Comentario %1:</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambiar</translation>
     </message>
 </context>
 <context>
@@ -7081,6 +7567,29 @@
     <message>
         <source>Ctrl+S saves the project, F1 opens the guide.</source>
         <translation>Ctrl+S guarda el proyecto, F1 abre la guía.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackQuestion</name>
+    <message>
+        <source>“%1” is a recorded track</source>
+        <translation>«%1» es un recorrido grabado</translation>
+    </message>
+    <message>
+        <source>It can become a field, or be laid over the plan to see how far beside it was driven.</source>
+        <translation>Puede convertirse en una parcela, o ponerse sobre el plan para ver cuánto se desvió.</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Hacer una parcela de él</translation>
+    </message>
+    <message>
+        <source>Lay it over the plan</source>
+        <translation>Ponerlo sobre el plan</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -7639,6 +8148,14 @@
         <source>Page %1 of %2</source>
         <translation>Página %1 de %2</translation>
     </message>
+    <message>
+        <source>Unloadings</source>
+        <translation>Descargas</translation>
+    </message>
+    <message>
+        <source>Refills</source>
+        <translation>Recargas</translation>
+    </message>
 </context>
 <context>
     <name>furrow::BestSearch</name>
@@ -7753,6 +8270,26 @@
     <message>
         <source>tank empty</source>
         <translation>depósito vacío</translation>
+    </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Camino de vuelta al trabajo</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Camino a la descarga</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Camino a la recarga</translation>
+    </message>
+    <message>
+        <source>Way without work</source>
+        <translation>Camino sin trabajar</translation>
+    </message>
+    <message>
+        <source>bunker %1</source>
+        <translation>tolva %1</translation>
     </message>
 </context>
 <context>
@@ -7870,6 +8407,43 @@
     <message>
         <source>There is no plan to export. The message on the map says why.</source>
         <translation>No hay plan que exportar. El mensaje en el mapa dice por qué.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcela</numerusform>
+            <numerusform>%n parcelas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Furrow plans</source>
+        <translation>Furrow planes</translation>
+    </message>
+    <message>
+        <source>None of the fields could be exported.</source>
+        <translation>No se pudo exportar ninguna de las parcelas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) written to %1</source>
+        <translation>
+            <numerusform>%n parcela escrita en %1</numerusform>
+            <numerusform>%n parcelas escritas en %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n archivo</numerusform>
+            <numerusform>%n archivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing was stopped.</source>
+        <translation>Se detuvo la escritura.</translation>
+    </message>
+    <message>
+        <source>Fields that were written before stay in the folder.</source>
+        <translation>Las parcelas ya escritas quedan en la carpeta.</translation>
     </message>
 </context>
 <context>
@@ -8133,6 +8707,63 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldFromTrack</name>
+    <message numerus="yes">
+        <source>%n position(s)</source>
+        <translation>
+            <numerusform>%n posición</numerusform>
+            <numerusform>%n posiciones</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s)</source>
+        <translation>
+            <numerusform>%n recorrido</numerusform>
+            <numerusform>%n recorridos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The pieces do not touch: each becomes a field of its own.</source>
+        <translation>Los trozos no se tocan: cada uno será una parcela propia.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Trozos</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Huecos</translation>
+    </message>
+    <message>
+        <source>Points of the boundary</source>
+        <translation>Puntos del límite</translation>
+    </message>
+    <message>
+        <source>Around the field</source>
+        <translation>Alrededor de la parcela</translation>
+    </message>
+    <message>
+        <source>Over the whole field, at work</source>
+        <translation>Por toda la parcela, trabajando</translation>
+    </message>
+    <message>
+        <source>As it looks: around the field</source>
+        <translation>Según parece: alrededor de la parcela</translation>
+    </message>
+    <message>
+        <source>As it looks: over the field</source>
+        <translation>Según parece: por la parcela</translation>
+    </message>
+    <message>
+        <source>As it looks</source>
+        <translation>Según parece</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
@@ -8238,6 +8869,33 @@
     <message>
         <source>Ground outside that the machine or its implement drives over</source>
         <translation>Suelo de fuera por el que pasa la máquina o su apero</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FileBrowser</name>
+    <message>
+        <source>This folder cannot be read.</source>
+        <translation>Esta carpeta no se puede leer.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Carpeta personal</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Documentos</translation>
+    </message>
+    <message>
+        <source>Downloads</source>
+        <translation>Descargas</translation>
+    </message>
+    <message>
+        <source>Desktop</source>
+        <translation>Escritorio</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Equipo</translation>
     </message>
 </context>
 <context>
@@ -8528,6 +9186,26 @@
         <source>Take the standard settings</source>
         <translation>Tomar los ajustes estándar</translation>
     </message>
+    <message>
+        <source>Inside the headland</source>
+        <translation>Interior de la parcela</translation>
+    </message>
+    <message>
+        <source>Headland passes: %1 only in this plan, %2 only in the other.</source>
+        <translation>Pasadas de cabecera: %1 solo en este plan, %2 solo en el otro.</translation>
+    </message>
+    <message>
+        <source>Turns and ways: %1 only in this plan, %2 only in the other.</source>
+        <translation>Giros y trayectos: %1 solo en este plan, %2 solo en el otro.</translation>
+    </message>
+    <message>
+        <source>All headland passes lie in the same places.</source>
+        <translation>Todas las pasadas de cabecera están en los mismos lugares.</translation>
+    </message>
+    <message>
+        <source>All turns and ways lie in the same places.</source>
+        <translation>Todos los giros y trayectos están en los mismos lugares.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::Planning</name>
@@ -8596,6 +9274,22 @@
             <numerusform>%n problema</numerusform>
             <numerusform>%n problemas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Out of date · this is a first plan</source>
+        <translation>Desactualizado · esto es un primer plan</translation>
+    </message>
+    <message>
+        <source>First plan · being improved …</source>
+        <translation>Primer plan · mejorándolo…</translation>
+    </message>
+    <message>
+        <source>First plan · comparing %1 of %2 …</source>
+        <translation>Primer plan · comparando %1 de %2…</translation>
+    </message>
+    <message>
+        <source>Planning … · comparing %1 of %2</source>
+        <translation>Planificando… · comparando %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -8858,6 +9552,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>Edit a comment</source>
+        <translation>Editar un comentario</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StepsModel</name>
@@ -9020,6 +9718,18 @@
         <source>Export</source>
         <translation>Exportar</translation>
     </message>
+    <message>
+        <source>First plan, being improved</source>
+        <translation>Primer plan, se está mejorando</translation>
+    </message>
+    <message>
+        <source>Only the finished plan is checked</source>
+        <translation>Solo se comprueba el plan terminado</translation>
+    </message>
+    <message>
+        <source>Until then the map shows the plan before</source>
+        <translation>Hasta entonces el mapa muestra el plan anterior</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -9058,6 +9768,10 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Escríbalo de nuevo cuando el plan esté listo.</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the fields read from there are these.</source>
+        <translation>se ha releído cada byte, y las parcelas leídas de ahí son estas.</translation>
     </message>
 </context>
 <context>

@@ -574,6 +574,30 @@
         <source>bug crash support error</source>
         <translation>bogue plantage assistance erreur</translation>
     </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Faire une parcelle d&apos;un trajet enregistré…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>limite roulé enregistré GPX NMEA contour</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Comparer sur deux cartes</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>comparer côte à côte carte partagée deux</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Remarque suivante du même genre</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Remarque précédente du même genre</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -753,6 +777,10 @@
         <source>Remove</source>
         <translation>Retirer</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Modifier</translation>
+    </message>
 </context>
 <context>
     <name>ComparePanel</name>
@@ -789,10 +817,6 @@
         <translation>%1 : %2, l&apos;autre %3</translation>
     </message>
     <message>
-        <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>Sur la carte : traits pleins, dans ce plan seulement ; tirets, dans l&apos;autre seulement.</translation>
-    </message>
-    <message>
         <source>Hold to see the other plan (key X)</source>
         <translation>Maintenir pour voir l&apos;autre plan (touche X)</translation>
     </message>
@@ -811,6 +835,18 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Continuer avec l&apos;autre plan</translation>
+    </message>
+    <message>
+        <source>Two maps side by side (Ctrl+Shift+D)</source>
+        <translation>Deux cartes côte à côte (Ctrl+Maj+D)</translation>
+    </message>
+    <message>
+        <source>On the maps, swaths, headland passes and turns are coloured that the other plan has not: full lines in this plan, dashes in the other.</source>
+        <translation>Sur les cartes, les passages, tours de fourrière et demi-tours que l’autre plan n’a pas sont colorés : traits pleins dans ce plan, tirets dans l’autre.</translation>
+    </message>
+    <message>
+        <source>On the map, swaths, headland passes and turns: full lines only in this plan, dashes only in the other.</source>
+        <translation>Sur la carte, passages, tours de fourrière et demi-tours : traits pleins dans ce plan seul, tirets dans l’autre seul.</translation>
     </message>
 </context>
 <context>
@@ -907,6 +943,10 @@
     <message>
         <source>Another track…</source>
         <translation>Autre trajet…</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>En faire une parcelle</translation>
     </message>
 </context>
 <context>
@@ -1010,6 +1050,14 @@
             <numerusform>%n problèmes dans ce plan : il ne peut pas être suivi tel quel. Les fichiers le disent aussi.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Export fields</source>
+        <translation>Exporter des parcelles</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
 </context>
 <context>
     <name>ExportFolderPage</name>
@@ -1024,6 +1072,10 @@
     <message>
         <source>Folder for the plan</source>
         <translation>Dossier du plan</translation>
+    </message>
+    <message>
+        <source>Fields without a plan are planned on the way. Each field gets a folder of its own; ISOXML and AgGPS hold all fields in one.</source>
+        <translation>Les parcelles sans plan sont planifiées au passage. Chaque parcelle a son propre dossier ; ISOXML et AgGPS contiennent toutes les parcelles ensemble.</translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1247,10 @@
         <source>Print…</source>
         <translation>Imprimer…</translation>
     </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
 </context>
 <context>
     <name>FarmRow</name>
@@ -1245,6 +1301,197 @@
     </message>
 </context>
 <context>
+    <name>FieldFromTrackPanel</name>
+    <message>
+        <source>Field from a track</source>
+        <translation>Parcelle d&apos;après un trajet</translation>
+    </message>
+    <message>
+        <source>How it was driven</source>
+        <translation>Comment on a roulé</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Largeur de travail</translation>
+    </message>
+    <message>
+        <source>The edge lies outside of the line by</source>
+        <translation>Le bord est à l&apos;extérieur de la ligne de</translation>
+    </message>
+    <message>
+        <source>Half a width: the implement ran along the edge</source>
+        <translation>Demi-largeur : l&apos;outil longeait le bord</translation>
+    </message>
+    <message>
+        <source>None: the line is the edge</source>
+        <translation>Rien : la ligne est le bord</translation>
+    </message>
+    <message>
+        <source>Gaps between strips are closed up to</source>
+        <translation>Les vides entre bandes sont fermés jusqu&apos;à</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Make the field</source>
+        <translation>Créer la parcelle</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>FieldsToExport</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 et %n autre</numerusform>
+            <numerusform>%1 et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
+        <translation>%1 : le plan a des problèmes et ne peut être parcouru tel qu’il est tracé. Les fichiers le disent aussi.</translation>
+    </message>
+</context>
+<context>
+    <name>FileList</name>
+    <message>
+        <source>%1, falling</source>
+        <translation>%1, décroissant</translation>
+    </message>
+    <message>
+        <source>%1, rising</source>
+        <translation>%1, croissant</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Modifié</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Files of %1</source>
+        <translation>Fichiers de %1</translation>
+    </message>
+    <message>
+        <source>Folder %1</source>
+        <translation>Dossier %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Reading the folder …</source>
+        <translation>Lecture du dossier …</translation>
+    </message>
+    <message>
+        <source>Nothing to choose here.</source>
+        <translation>Rien à choisir ici.</translation>
+    </message>
+</context>
+<context>
+    <name>FileWindow</name>
+    <message>
+        <source>The folder around it (Backspace)</source>
+        <translation>Le dossier parent (Retour arrière)</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>Nouveau dossier…</translation>
+    </message>
+    <message>
+        <source>“%1” is already there. Write over it?</source>
+        <translation>« %1 » existe déjà. L&apos;écraser ?</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”. Make it?</source>
+        <translation>Il n&apos;y a pas de dossier « %1 ». Le créer ?</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Nom du nouveau dossier</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Écraser</translation>
+    </message>
+    <message>
+        <source>Make the folder</source>
+        <translation>Créer le dossier</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Which files are shown</source>
+        <translation>Quels fichiers sont affichés</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Choose this folder</source>
+        <translation>Choisir ce dossier</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>The folder “%1” cannot be made.</source>
+        <translation>Le dossier « %1 » ne peut pas être créé.</translation>
+    </message>
+    <message>
+        <source>There is nothing called “%1”.</source>
+        <translation>Il n&apos;y a rien qui s&apos;appelle « %1 ».</translation>
+    </message>
+    <message>
+        <source>Choose files only, or one folder to look into.</source>
+        <translation>Choisissez seulement des fichiers, ou un dossier à ouvrir.</translation>
+    </message>
+    <message>
+        <source>Choose a file first.</source>
+        <translation>Choisissez d&apos;abord un fichier.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written in “%1”. Choose another folder.</source>
+        <translation>Rien ne peut être écrit dans « %1 ». Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Give the file a name.</source>
+        <translation>Donnez un nom au fichier.</translation>
+    </message>
+</context>
+<context>
     <name>FilesNotice</name>
     <message>
         <source>Keep</source>
@@ -1284,6 +1531,18 @@
     <message>
         <source>For information</source>
         <translation>Pour information</translation>
+    </message>
+    <message>
+        <source>%1 of %2 of this kind</source>
+        <translation>%1 sur %2 de ce genre</translation>
+    </message>
+    <message>
+        <source>The one before, of this kind (Ctrl+Shift+F8)</source>
+        <translation>La précédente de ce genre (Ctrl+Maj+F8)</translation>
+    </message>
+    <message>
+        <source>The next of this kind (Ctrl+F8)</source>
+        <translation>La suivante de ce genre (Ctrl+F8)</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1932,30 @@
         <source>no room</source>
         <translation>pas la place</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Chemin de retour au travail</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Chemin vers la vidange</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Chemin vers le remplissage</translation>
+    </message>
+    <message>
+        <source>In the bunker</source>
+        <translation>Dans la trémie</translation>
+    </message>
+    <message>
+        <source>In the tank</source>
+        <translation>Dans la cuve</translation>
+    </message>
+    <message>
+        <source>Then stands</source>
+        <translation>S&apos;arrête ensuite</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1923,6 +2206,10 @@
         <source>Keep the machine as</source>
         <translation>Garder la machine sous</translation>
     </message>
+    <message>
+        <source>This plan: %1</source>
+        <translation>Ce plan : %1</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2054,6 +2341,21 @@
     </message>
 </context>
 <context>
+    <name>OtherMap</name>
+    <message>
+        <source>Map of the other plan: %1</source>
+        <translation>Carte de l’autre plan : %1</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>L&apos;autre plan est en cours de calcul…</translation>
+    </message>
+    <message>
+        <source>The other: %1</source>
+        <translation>L’autre : %1</translation>
+    </message>
+</context>
+<context>
     <name>PageList</name>
     <message>
         <source>Pages</source>
@@ -2104,6 +2406,25 @@
     <message>
         <source>Click the place on the map. Esc ends it.</source>
         <translation>Cliquez sur l&apos;endroit sur la carte. Échap pour arrêter.</translation>
+    </message>
+    <message>
+        <source>Click the places on the map</source>
+        <translation>Cliquez les endroits sur la carte</translation>
+    </message>
+    <message>
+        <source>Click another place, or one of them to remove it</source>
+        <translation>Cliquez un autre endroit, ou l&apos;un d&apos;eux pour l&apos;enlever</translation>
+    </message>
+</context>
+<context>
+    <name>PlacesPicker</name>
+    <message>
+        <source>Place %1: remove it</source>
+        <translation>Endroit %1 : l&apos;enlever</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6846,135 @@
         <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
         <translation>c&apos;est une erreur de Furrow ; signalez-la avec la parcelle, la machine et les réglages</translation>
     </message>
+    <message>
+        <source>%1 %2 is no place in WGS84</source>
+        <translation>%1 %2 n&apos;est pas un endroit en WGS84</translation>
+    </message>
+    <message>
+        <source>%1 gathers %2; the bunker holds %3.</source>
+        <translation>%1 récolte %2 ; la trémie contient %3.</translation>
+    </message>
+    <message>
+        <source>%1 of standing</source>
+        <translation>%1 d&apos;arrêt</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; the tank holds %3.</source>
+        <translation>%1 demande %2 ; la cuve contient %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes are too long for it.</source>
+        <translation>
+            <numerusform>%n passage est trop long.</numerusform>
+            <numerusform>%n passages sont trop longs.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n refills, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Un remplissage, avec %1 de chemin aller et retour et %2.</numerusform>
+            <numerusform>%n remplissages, avec %1 de chemin aller et retour et %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unloadings, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Une vidange, avec %1 de chemin aller et retour et %2.</numerusform>
+            <numerusform>%n vidanges, avec %1 de chemin aller et retour et %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose another refill point.</source>
+        <translation>Choisissez un autre point de remplissage.</translation>
+    </message>
+    <message>
+        <source>Give more refill points, or ones that are nearer.</source>
+        <translation>Indiquez plus de points de remplissage, ou de plus proches.</translation>
+    </message>
+    <message>
+        <source>Let ways cross the mainland (route.traversal), so that swaths may be interrupted, or lay the swaths the short way.</source>
+        <translation>Laissez les chemins traverser le plein champ (route.traversal), pour que les passages puissent être interrompus, ou tracez-les dans le sens court.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the bunker holds are gathered.</source>
+        <translation>Aucun trajet vers un point de vidange n&apos;est nécessaire : %1 des %2 de la trémie sont récoltés.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the tank holds are used.</source>
+        <translation>Aucun trajet vers un point de remplissage n&apos;est nécessaire : %1 des %2 de la cuve sont utilisés.</translation>
+    </message>
+    <message>
+        <source>No way to a refill point leads from the work before %1.</source>
+        <translation>Aucun chemin ne mène à un point de remplissage depuis le travail avant %1.</translation>
+    </message>
+    <message>
+        <source>POINT (%1 %2) lies outside of the field</source>
+        <translation>POINT (%1 %2) est hors de la parcelle</translation>
+    </message>
+    <message>
+        <source>Plan again; the levels were changed.</source>
+        <translation>Planifiez à nouveau ; les niveaux ont été modifiés.</translation>
+    </message>
+    <message>
+        <source>Refill points</source>
+        <translation>Points de remplissage</translation>
+    </message>
+    <message>
+        <source>That the machine stands each time its tank is filled or its bunker emptied; 300 s where it is not given.</source>
+        <translation>Durée d&apos;arrêt de la machine chaque fois que la cuve est remplie ou la trémie vidée ; 300 s si rien n&apos;est indiqué.</translation>
+    </message>
+    <message>
+        <source>The bunker is full in %1: %2 are worked beyond that.</source>
+        <translation>La trémie est pleine dans %1 : %2 sont travaillés au-delà.</translation>
+    </message>
+    <message>
+        <source>The level changes %1 away from the refill points.</source>
+        <translation>Le niveau change à %1 des points de remplissage.</translation>
+    </message>
+    <message>
+        <source>The machine has no room at this refill point.</source>
+        <translation>La machine n&apos;a pas de place à ce point de remplissage.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s at a refill point, and does not in %2.</source>
+        <translation>La machine doit rester %1 s à un point de remplissage et ne le fait pas : %2.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine has no tank.</source>
+        <translation>Les points de remplissage ne servent pas : cette machine n&apos;a pas de cuve.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine&apos;s tank has no rate.</source>
+        <translation>Les points de remplissage ne servent pas : la cuve de cette machine n&apos;a pas de dose.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this operation uses no tank.</source>
+        <translation>Les points de remplissage ne servent pas : ce travail n&apos;utilise pas de cuve.</translation>
+    </message>
+    <message>
+        <source>The stated level differs from the work that is done, by up to %1 of the tank.</source>
+        <translation>Le niveau indiqué diffère du travail fait, jusqu&apos;à %1 de la cuve.</translation>
+    </message>
+    <message>
+        <source>The tank is empty in %1: %2 are worked beyond that.</source>
+        <translation>La cuve est vide dans %1 : %2 sont travaillés au-delà.</translation>
+    </message>
+    <message>
+        <source>Time to fill</source>
+        <translation>Temps de remplissage</translation>
+    </message>
+    <message>
+        <source>Where the tank is filled or the bunker emptied: points or names of gates, divided by semicolons.</source>
+        <translation>Où la cuve est remplie ou la trémie vidée : des points ou des noms d&apos;entrées, séparés par des points-virgules.</translation>
+    </message>
+    <message>
+        <source>give longitude, then latitude, in degrees</source>
+        <translation>indiquez la longitude, puis la latitude, en degrés</translation>
+    </message>
+    <message>
+        <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
+        <translation>des noms d&apos;entrées ou des points en WGS84 comme MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6755,6 +7205,14 @@
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
+    <message>
+        <source>first plan: preliminary figures</source>
+        <translation>premier plan : chiffres provisoires</translation>
+    </message>
+    <message>
+        <source>of the plan before</source>
+        <translation>du plan précédent</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialogs</name>
@@ -6773,6 +7231,26 @@
     <message>
         <source>All files (*)</source>
         <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Take in this review?</source>
+        <translation>Reprendre cette relecture ?</translation>
+    </message>
+    <message>
+        <source>The file is a review of a plan of the project that is open. Its comments can be taken in here.</source>
+        <translation>Le fichier est la relecture d’un plan du projet ouvert. Ses commentaires peuvent être repris ici.</translation>
+    </message>
+    <message>
+        <source>Take in</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Open by itself</source>
+        <translation>Ouvrir à part</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +7333,14 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Comment %1:</source>
+        <translation>Commentaire %1 :</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Modifier</translation>
     </message>
 </context>
 <context>
@@ -7081,6 +7567,29 @@
     <message>
         <source>Ctrl+S saves the project, F1 opens the guide.</source>
         <translation>Ctrl+S enregistre le projet, F1 ouvre le guide.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackQuestion</name>
+    <message>
+        <source>“%1” is a recorded track</source>
+        <translation>« %1 » est un trajet enregistré</translation>
+    </message>
+    <message>
+        <source>It can become a field, or be laid over the plan to see how far beside it was driven.</source>
+        <translation>Il peut devenir une parcelle, ou être posé sur le plan pour voir de combien on s&apos;en est écarté.</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>En faire une parcelle</translation>
+    </message>
+    <message>
+        <source>Lay it over the plan</source>
+        <translation>Le poser sur le plan</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -7639,6 +8148,14 @@
         <source>Page %1 of %2</source>
         <translation>Page %1 sur %2</translation>
     </message>
+    <message>
+        <source>Unloadings</source>
+        <translation>Vidanges</translation>
+    </message>
+    <message>
+        <source>Refills</source>
+        <translation>Remplissages</translation>
+    </message>
 </context>
 <context>
     <name>furrow::BestSearch</name>
@@ -7753,6 +8270,26 @@
     <message>
         <source>tank empty</source>
         <translation>cuve vide</translation>
+    </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Chemin de retour au travail</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Chemin vers la vidange</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Chemin vers le remplissage</translation>
+    </message>
+    <message>
+        <source>Way without work</source>
+        <translation>Chemin sans travail</translation>
+    </message>
+    <message>
+        <source>bunker %1</source>
+        <translation>trémie %1</translation>
     </message>
 </context>
 <context>
@@ -7870,6 +8407,43 @@
     <message>
         <source>There is no plan to export. The message on the map says why.</source>
         <translation>Il n&apos;y a pas de plan à exporter. Le message sur la carte dit pourquoi.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n parcelle</numerusform>
+            <numerusform>%n parcelles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Furrow plans</source>
+        <translation>Furrow plans</translation>
+    </message>
+    <message>
+        <source>None of the fields could be exported.</source>
+        <translation>Aucune des parcelles n’a pu être exportée.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) written to %1</source>
+        <translation>
+            <numerusform>%n parcelle écrite dans %1</numerusform>
+            <numerusform>%n parcelles écrites dans %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fichier</numerusform>
+            <numerusform>%n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing was stopped.</source>
+        <translation>L’écriture a été arrêtée.</translation>
+    </message>
+    <message>
+        <source>Fields that were written before stay in the folder.</source>
+        <translation>Les parcelles déjà écrites restent dans le dossier.</translation>
     </message>
 </context>
 <context>
@@ -8133,6 +8707,63 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldFromTrack</name>
+    <message numerus="yes">
+        <source>%n position(s)</source>
+        <translation>
+            <numerusform>%n position</numerusform>
+            <numerusform>%n positions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s)</source>
+        <translation>
+            <numerusform>%n trajet</numerusform>
+            <numerusform>%n trajets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The pieces do not touch: each becomes a field of its own.</source>
+        <translation>Les morceaux ne se touchent pas : chacun devient une parcelle.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Morceaux</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Trous</translation>
+    </message>
+    <message>
+        <source>Points of the boundary</source>
+        <translation>Points de la limite</translation>
+    </message>
+    <message>
+        <source>Around the field</source>
+        <translation>Autour de la parcelle</translation>
+    </message>
+    <message>
+        <source>Over the whole field, at work</source>
+        <translation>Sur toute la parcelle, au travail</translation>
+    </message>
+    <message>
+        <source>As it looks: around the field</source>
+        <translation>D&apos;après le trajet : autour de la parcelle</translation>
+    </message>
+    <message>
+        <source>As it looks: over the field</source>
+        <translation>D&apos;après le trajet : sur la parcelle</translation>
+    </message>
+    <message>
+        <source>As it looks</source>
+        <translation>D&apos;après le trajet</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
@@ -8238,6 +8869,33 @@
     <message>
         <source>Ground outside that the machine or its implement drives over</source>
         <translation>Sol au dehors sur lequel passe la machine ou son outil</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FileBrowser</name>
+    <message>
+        <source>This folder cannot be read.</source>
+        <translation>Ce dossier ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Dossier personnel</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Documents</translation>
+    </message>
+    <message>
+        <source>Downloads</source>
+        <translation>Téléchargements</translation>
+    </message>
+    <message>
+        <source>Desktop</source>
+        <translation>Bureau</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Ordinateur</translation>
     </message>
 </context>
 <context>
@@ -8528,6 +9186,26 @@
         <source>Take the standard settings</source>
         <translation>Prendre les réglages standard</translation>
     </message>
+    <message>
+        <source>Inside the headland</source>
+        <translation>Plein champ</translation>
+    </message>
+    <message>
+        <source>Headland passes: %1 only in this plan, %2 only in the other.</source>
+        <translation>Tours de fourrière : %1 dans ce plan seul, %2 dans l’autre seul.</translation>
+    </message>
+    <message>
+        <source>Turns and ways: %1 only in this plan, %2 only in the other.</source>
+        <translation>Demi-tours et trajets : %1 dans ce plan seul, %2 dans l’autre seul.</translation>
+    </message>
+    <message>
+        <source>All headland passes lie in the same places.</source>
+        <translation>Tous les tours de fourrière sont aux mêmes endroits.</translation>
+    </message>
+    <message>
+        <source>All turns and ways lie in the same places.</source>
+        <translation>Tous les demi-tours et trajets sont aux mêmes endroits.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::Planning</name>
@@ -8596,6 +9274,22 @@
             <numerusform>%n problème</numerusform>
             <numerusform>%n problèmes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Out of date · this is a first plan</source>
+        <translation>Périmé · ceci est un premier plan</translation>
+    </message>
+    <message>
+        <source>First plan · being improved …</source>
+        <translation>Premier plan · en cours d&apos;amélioration…</translation>
+    </message>
+    <message>
+        <source>First plan · comparing %1 of %2 …</source>
+        <translation>Premier plan · comparaison %1 sur %2…</translation>
+    </message>
+    <message>
+        <source>Planning … · comparing %1 of %2</source>
+        <translation>Planification… · comparaison %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -8858,6 +9552,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>Edit a comment</source>
+        <translation>Modifier un commentaire</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StepsModel</name>
@@ -9020,6 +9718,18 @@
         <source>Export</source>
         <translation>Exporter</translation>
     </message>
+    <message>
+        <source>First plan, being improved</source>
+        <translation>Premier plan, en cours d&apos;amélioration</translation>
+    </message>
+    <message>
+        <source>Only the finished plan is checked</source>
+        <translation>Seul le plan terminé est vérifié</translation>
+    </message>
+    <message>
+        <source>Until then the map shows the plan before</source>
+        <translation>D&apos;ici là, la carte montre le plan précédent</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -9058,6 +9768,10 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Écrivez-le à nouveau quand le plan sera prêt.</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the fields read from there are these.</source>
+        <translation>chaque octet a été relu, et les parcelles lues là sont bien celles-ci.</translation>
     </message>
 </context>
 <context>

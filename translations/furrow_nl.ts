@@ -574,6 +574,30 @@
         <source>bug crash support error</source>
         <translation>fout crash ondersteuning</translation>
     </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Perceel maken uit een opgenomen rit…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>perceelsgrens gereden opgenomen GPX NMEA omrijden</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Op twee kaarten vergelijken</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>vergelijken naast elkaar gedeelde kaart twee</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Volgende bevinding van dezelfde soort</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Vorige bevinding van dezelfde soort</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -753,6 +777,10 @@
         <source>Remove</source>
         <translation>Verwijderen</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bewerken</translation>
+    </message>
 </context>
 <context>
     <name>ComparePanel</name>
@@ -789,10 +817,6 @@
         <translation>%1: %2, het andere %3</translation>
     </message>
     <message>
-        <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>Op de kaart: volle lijnen alleen in dit plan, streepjes alleen in het andere.</translation>
-    </message>
-    <message>
         <source>Hold to see the other plan (key X)</source>
         <translation>Vasthouden: het andere plan (toets X)</translation>
     </message>
@@ -811,6 +835,18 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Verder met het andere plan</translation>
+    </message>
+    <message>
+        <source>Two maps side by side (Ctrl+Shift+D)</source>
+        <translation>Twee kaarten naast elkaar (Ctrl+Shift+D)</translation>
+    </message>
+    <message>
+        <source>On the maps, swaths, headland passes and turns are coloured that the other plan has not: full lines in this plan, dashes in the other.</source>
+        <translation>Op de kaarten zijn werkgangen, kopakkergangen en draaien gekleurd die het andere plan niet heeft: volle lijnen in dit plan, streepjes in het andere.</translation>
+    </message>
+    <message>
+        <source>On the map, swaths, headland passes and turns: full lines only in this plan, dashes only in the other.</source>
+        <translation>Op de kaart, werkgangen, kopakkergangen en draaien: volle lijnen alleen in dit plan, streepjes alleen in het andere.</translation>
     </message>
 </context>
 <context>
@@ -907,6 +943,10 @@
     <message>
         <source>Another track…</source>
         <translation>Andere rit…</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Er een perceel van maken</translation>
     </message>
 </context>
 <context>
@@ -1010,6 +1050,14 @@
             <numerusform>%n problemen in dit plan: zo kan het niet worden gereden. Dat staat ook in de bestanden.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Export fields</source>
+        <translation>Percelen exporteren</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppen</translation>
+    </message>
 </context>
 <context>
     <name>ExportFolderPage</name>
@@ -1024,6 +1072,10 @@
     <message>
         <source>Folder for the plan</source>
         <translation>Map voor het plan</translation>
+    </message>
+    <message>
+        <source>Fields without a plan are planned on the way. Each field gets a folder of its own; ISOXML and AgGPS hold all fields in one.</source>
+        <translation>Percelen zonder plan worden onderweg gepland. Elk perceel krijgt een eigen map; ISOXML en AgGPS bevatten alle percelen samen.</translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1247,10 @@
         <source>Print…</source>
         <translation>Afdrukken…</translation>
     </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporteren…</translation>
+    </message>
 </context>
 <context>
     <name>FarmRow</name>
@@ -1245,6 +1301,197 @@
     </message>
 </context>
 <context>
+    <name>FieldFromTrackPanel</name>
+    <message>
+        <source>Field from a track</source>
+        <translation>Perceel uit een rit</translation>
+    </message>
+    <message>
+        <source>How it was driven</source>
+        <translation>Hoe er is gereden</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Werkbreedte</translation>
+    </message>
+    <message>
+        <source>The edge lies outside of the line by</source>
+        <translation>De rand ligt buiten de lijn op</translation>
+    </message>
+    <message>
+        <source>Half a width: the implement ran along the edge</source>
+        <translation>Halve breedte: het werktuig liep langs de rand</translation>
+    </message>
+    <message>
+        <source>None: the line is the edge</source>
+        <translation>Niets: de lijn is de rand</translation>
+    </message>
+    <message>
+        <source>Gaps between strips are closed up to</source>
+        <translation>Gaten tussen stroken worden gesloten tot</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Make the field</source>
+        <translation>Perceel maken</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+</context>
+<context>
+    <name>FieldsToExport</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 en nog %n</numerusform>
+            <numerusform>%1 en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
+        <translation>%1: het plan heeft problemen en is niet te rijden zoals getekend. De bestanden zeggen dat ook.</translation>
+    </message>
+</context>
+<context>
+    <name>FileList</name>
+    <message>
+        <source>%1, falling</source>
+        <translation>%1, aflopend</translation>
+    </message>
+    <message>
+        <source>%1, rising</source>
+        <translation>%1, oplopend</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Gewijzigd</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Files of %1</source>
+        <translation>Bestanden van %1</translation>
+    </message>
+    <message>
+        <source>Folder %1</source>
+        <translation>Map %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Reading the folder …</source>
+        <translation>De map wordt gelezen …</translation>
+    </message>
+    <message>
+        <source>Nothing to choose here.</source>
+        <translation>Hier valt niets te kiezen.</translation>
+    </message>
+</context>
+<context>
+    <name>FileWindow</name>
+    <message>
+        <source>The folder around it (Backspace)</source>
+        <translation>De map erboven (Backspace)</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Map</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>Nieuwe map…</translation>
+    </message>
+    <message>
+        <source>“%1” is already there. Write over it?</source>
+        <translation>“%1” bestaat al. Overschrijven?</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”. Make it?</source>
+        <translation>Er is geen map “%1”. Maken?</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Naam van de nieuwe map</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nee</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Overschrijven</translation>
+    </message>
+    <message>
+        <source>Make the folder</source>
+        <translation>Map maken</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>Which files are shown</source>
+        <translation>Welke bestanden worden getoond</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+    <message>
+        <source>Choose this folder</source>
+        <translation>Deze map kiezen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Openen</translation>
+    </message>
+    <message>
+        <source>The folder “%1” cannot be made.</source>
+        <translation>De map “%1” kan niet worden gemaakt.</translation>
+    </message>
+    <message>
+        <source>There is nothing called “%1”.</source>
+        <translation>Er is niets dat “%1” heet.</translation>
+    </message>
+    <message>
+        <source>Choose files only, or one folder to look into.</source>
+        <translation>Kies alleen bestanden, of één map om erin te kijken.</translation>
+    </message>
+    <message>
+        <source>Choose a file first.</source>
+        <translation>Kies eerst een bestand.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written in “%1”. Choose another folder.</source>
+        <translation>In “%1” kan niets worden geschreven. Kies een andere map.</translation>
+    </message>
+    <message>
+        <source>Give the file a name.</source>
+        <translation>Geef het bestand een naam.</translation>
+    </message>
+</context>
+<context>
     <name>FilesNotice</name>
     <message>
         <source>Keep</source>
@@ -1284,6 +1531,18 @@
     <message>
         <source>For information</source>
         <translation>Ter informatie</translation>
+    </message>
+    <message>
+        <source>%1 of %2 of this kind</source>
+        <translation>%1 van %2 van deze soort</translation>
+    </message>
+    <message>
+        <source>The one before, of this kind (Ctrl+Shift+F8)</source>
+        <translation>De vorige van deze soort (Ctrl+Shift+F8)</translation>
+    </message>
+    <message>
+        <source>The next of this kind (Ctrl+F8)</source>
+        <translation>De volgende van deze soort (Ctrl+F8)</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1932,30 @@
         <source>no room</source>
         <translation>geen ruimte</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Weg terug naar het werk</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Weg naar het lossen</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Weg naar het vullen</translation>
+    </message>
+    <message>
+        <source>In the bunker</source>
+        <translation>In de bunker</translation>
+    </message>
+    <message>
+        <source>In the tank</source>
+        <translation>In de tank</translation>
+    </message>
+    <message>
+        <source>Then stands</source>
+        <translation>Staat daarna stil</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1923,6 +2206,10 @@
         <source>Keep the machine as</source>
         <translation>Machine bewaren als</translation>
     </message>
+    <message>
+        <source>This plan: %1</source>
+        <translation>Dit plan: %1</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2054,6 +2341,21 @@
     </message>
 </context>
 <context>
+    <name>OtherMap</name>
+    <message>
+        <source>Map of the other plan: %1</source>
+        <translation>Kaart van het andere plan: %1</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>Het andere plan wordt gemaakt…</translation>
+    </message>
+    <message>
+        <source>The other: %1</source>
+        <translation>Het andere: %1</translation>
+    </message>
+</context>
+<context>
     <name>PageList</name>
     <message>
         <source>Pages</source>
@@ -2104,6 +2406,25 @@
     <message>
         <source>Click the place on the map. Esc ends it.</source>
         <translation>Klik de plek op de kaart aan. Esc beëindigt het.</translation>
+    </message>
+    <message>
+        <source>Click the places on the map</source>
+        <translation>Klik de plaatsen op de kaart aan</translation>
+    </message>
+    <message>
+        <source>Click another place, or one of them to remove it</source>
+        <translation>Klik nog een plaats aan, of een ervan om die te verwijderen</translation>
+    </message>
+</context>
+<context>
+    <name>PlacesPicker</name>
+    <message>
+        <source>Place %1: remove it</source>
+        <translation>Plaats %1: verwijderen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klaar</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6846,135 @@
         <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
         <translation>dit is een fout van Furrow, meld hem met het perceel, de machine en de instellingen</translation>
     </message>
+    <message>
+        <source>%1 %2 is no place in WGS84</source>
+        <translation>%1 %2 is geen plaats in WGS84</translation>
+    </message>
+    <message>
+        <source>%1 gathers %2; the bunker holds %3.</source>
+        <translation>%1 levert %2; de bunker bevat %3.</translation>
+    </message>
+    <message>
+        <source>%1 of standing</source>
+        <translation>%1 stilstand</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; the tank holds %3.</source>
+        <translation>%1 vraagt %2; de tank bevat %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes are too long for it.</source>
+        <translation>
+            <numerusform>%n gang is er te lang voor.</numerusform>
+            <numerusform>%n gangen zijn er te lang voor.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n refills, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Eén vulbeurt, met %1 weg heen en terug en %2.</numerusform>
+            <numerusform>%n vulbeurten, met %1 weg heen en terug en %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unloadings, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Eén losbeurt, met %1 weg heen en terug en %2.</numerusform>
+            <numerusform>%n losbeurten, met %1 weg heen en terug en %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose another refill point.</source>
+        <translation>Kies een andere vulplaats.</translation>
+    </message>
+    <message>
+        <source>Give more refill points, or ones that are nearer.</source>
+        <translation>Geef meer vulplaatsen op, of dichterbij.</translation>
+    </message>
+    <message>
+        <source>Let ways cross the mainland (route.traversal), so that swaths may be interrupted, or lay the swaths the short way.</source>
+        <translation>Laat wegen over de binnenakker toe (route.traversal), zodat werkgangen mogen worden onderbroken, of leg de werkgangen in de korte richting.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the bunker holds are gathered.</source>
+        <translation>Geen rit naar een losplaats nodig: %1 van de %2 die de bunker bevat worden geoogst.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the tank holds are used.</source>
+        <translation>Geen rit naar een vulplaats nodig: %1 van de %2 die de tank bevat worden gebruikt.</translation>
+    </message>
+    <message>
+        <source>No way to a refill point leads from the work before %1.</source>
+        <translation>Geen weg leidt naar een vulplaats vanaf het werk voor %1.</translation>
+    </message>
+    <message>
+        <source>POINT (%1 %2) lies outside of the field</source>
+        <translation>POINT (%1 %2) ligt buiten het perceel</translation>
+    </message>
+    <message>
+        <source>Plan again; the levels were changed.</source>
+        <translation>Plan opnieuw; de peilen zijn veranderd.</translation>
+    </message>
+    <message>
+        <source>Refill points</source>
+        <translation>Vulplaatsen</translation>
+    </message>
+    <message>
+        <source>That the machine stands each time its tank is filled or its bunker emptied; 300 s where it is not given.</source>
+        <translation>Zo lang staat de machine stil telkens als de tank wordt gevuld of de bunker geleegd; 300 s als niets is opgegeven.</translation>
+    </message>
+    <message>
+        <source>The bunker is full in %1: %2 are worked beyond that.</source>
+        <translation>De bunker is vol in %1: %2 worden daarna nog bewerkt.</translation>
+    </message>
+    <message>
+        <source>The level changes %1 away from the refill points.</source>
+        <translation>Het peil verandert op %1 van de vulplaatsen.</translation>
+    </message>
+    <message>
+        <source>The machine has no room at this refill point.</source>
+        <translation>De machine heeft geen ruimte bij deze vulplaats.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s at a refill point, and does not in %2.</source>
+        <translation>De machine moet %1 s stilstaan bij een vulplaats en doet dat niet: %2.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine has no tank.</source>
+        <translation>De vulplaatsen worden niet gebruikt: deze machine heeft geen tank.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine&apos;s tank has no rate.</source>
+        <translation>De vulplaatsen worden niet gebruikt: de tank van deze machine heeft geen dosering.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this operation uses no tank.</source>
+        <translation>De vulplaatsen worden niet gebruikt: deze bewerking gebruikt geen tank.</translation>
+    </message>
+    <message>
+        <source>The stated level differs from the work that is done, by up to %1 of the tank.</source>
+        <translation>Het opgegeven peil wijkt af van het gedane werk, tot %1 van de tank.</translation>
+    </message>
+    <message>
+        <source>The tank is empty in %1: %2 are worked beyond that.</source>
+        <translation>De tank is leeg in %1: %2 worden daarna nog bewerkt.</translation>
+    </message>
+    <message>
+        <source>Time to fill</source>
+        <translation>Vultijd</translation>
+    </message>
+    <message>
+        <source>Where the tank is filled or the bunker emptied: points or names of gates, divided by semicolons.</source>
+        <translation>Waar de tank wordt gevuld of de bunker geleegd: punten of namen van inritten, gescheiden door puntkomma&apos;s.</translation>
+    </message>
+    <message>
+        <source>give longitude, then latitude, in degrees</source>
+        <translation>geef lengte, dan breedte, in graden</translation>
+    </message>
+    <message>
+        <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
+        <translation>namen van inritten of punten in WGS84 zoals MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6755,6 +7205,14 @@
         <source>Close</source>
         <translation>Sluiten</translation>
     </message>
+    <message>
+        <source>first plan: preliminary figures</source>
+        <translation>eerste plan: voorlopige cijfers</translation>
+    </message>
+    <message>
+        <source>of the plan before</source>
+        <translation>van het vorige plan</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialogs</name>
@@ -6773,6 +7231,26 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Take in this review?</source>
+        <translation>Deze beoordeling overnemen?</translation>
+    </message>
+    <message>
+        <source>The file is a review of a plan of the project that is open. Its comments can be taken in here.</source>
+        <translation>Het bestand is een beoordeling van een plan van het geopende project. De opmerkingen kunnen hier worden overgenomen.</translation>
+    </message>
+    <message>
+        <source>Take in</source>
+        <translation>Overnemen</translation>
+    </message>
+    <message>
+        <source>Open by itself</source>
+        <translation>Apart openen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +7333,14 @@
     <message>
         <source>Close</source>
         <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Comment %1:</source>
+        <translation>Opmerking %1:</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Wijzigen</translation>
     </message>
 </context>
 <context>
@@ -7081,6 +7567,29 @@
     <message>
         <source>Ctrl+S saves the project, F1 opens the guide.</source>
         <translation>Ctrl+S bewaart het project, F1 opent de handleiding.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackQuestion</name>
+    <message>
+        <source>“%1” is a recorded track</source>
+        <translation>“%1” is een opgenomen rit</translation>
+    </message>
+    <message>
+        <source>It can become a field, or be laid over the plan to see how far beside it was driven.</source>
+        <translation>Het kan een perceel worden, of over het plan worden gelegd om te zien hoever ernaast is gereden.</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Er een perceel van maken</translation>
+    </message>
+    <message>
+        <source>Lay it over the plan</source>
+        <translation>Over het plan leggen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
     </message>
 </context>
 <context>
@@ -7639,6 +8148,14 @@
         <source>Page %1 of %2</source>
         <translation>Pagina %1 van %2</translation>
     </message>
+    <message>
+        <source>Unloadings</source>
+        <translation>Losbeurten</translation>
+    </message>
+    <message>
+        <source>Refills</source>
+        <translation>Vulbeurten</translation>
+    </message>
 </context>
 <context>
     <name>furrow::BestSearch</name>
@@ -7753,6 +8270,26 @@
     <message>
         <source>tank empty</source>
         <translation>tank leeg</translation>
+    </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Weg terug naar het werk</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Weg naar het lossen</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Weg naar het vullen</translation>
+    </message>
+    <message>
+        <source>Way without work</source>
+        <translation>Weg zonder werk</translation>
+    </message>
+    <message>
+        <source>bunker %1</source>
+        <translation>bunker %1</translation>
     </message>
 </context>
 <context>
@@ -7870,6 +8407,43 @@
     <message>
         <source>There is no plan to export. The message on the map says why.</source>
         <translation>Er is geen plan om te exporteren. De melding op de kaart zegt waarom.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n perceel</numerusform>
+            <numerusform>%n percelen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Furrow plans</source>
+        <translation>Furrow plannen</translation>
+    </message>
+    <message>
+        <source>None of the fields could be exported.</source>
+        <translation>Geen van de percelen kon worden geëxporteerd.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) written to %1</source>
+        <translation>
+            <numerusform>%n perceel geschreven naar %1</numerusform>
+            <numerusform>%n percelen geschreven naar %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n bestand</numerusform>
+            <numerusform>%n bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing was stopped.</source>
+        <translation>Het schrijven is gestopt.</translation>
+    </message>
+    <message>
+        <source>Fields that were written before stay in the folder.</source>
+        <translation>Percelen die al geschreven waren, blijven in de map.</translation>
     </message>
 </context>
 <context>
@@ -8133,6 +8707,63 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldFromTrack</name>
+    <message numerus="yes">
+        <source>%n position(s)</source>
+        <translation>
+            <numerusform>%n positie</numerusform>
+            <numerusform>%n posities</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s)</source>
+        <translation>
+            <numerusform>%n rit</numerusform>
+            <numerusform>%n ritten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The pieces do not touch: each becomes a field of its own.</source>
+        <translation>De stukken raken elkaar niet: elk wordt een eigen perceel.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Oppervlakte</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stukken</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Gaten</translation>
+    </message>
+    <message>
+        <source>Points of the boundary</source>
+        <translation>Punten van de grens</translation>
+    </message>
+    <message>
+        <source>Around the field</source>
+        <translation>Rond het perceel</translation>
+    </message>
+    <message>
+        <source>Over the whole field, at work</source>
+        <translation>Over het hele perceel, aan het werk</translation>
+    </message>
+    <message>
+        <source>As it looks: around the field</source>
+        <translation>Zoals het eruitziet: rond het perceel</translation>
+    </message>
+    <message>
+        <source>As it looks: over the field</source>
+        <translation>Zoals het eruitziet: over het perceel</translation>
+    </message>
+    <message>
+        <source>As it looks</source>
+        <translation>Zoals het eruitziet</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
@@ -8238,6 +8869,33 @@
     <message>
         <source>Ground outside that the machine or its implement drives over</source>
         <translation>Grond erbuiten waar machine of werktuig over rijdt</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FileBrowser</name>
+    <message>
+        <source>This folder cannot be read.</source>
+        <translation>Deze map kan niet worden gelezen.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Persoonlijke map</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Documenten</translation>
+    </message>
+    <message>
+        <source>Downloads</source>
+        <translation>Downloads</translation>
+    </message>
+    <message>
+        <source>Desktop</source>
+        <translation>Bureaublad</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
     </message>
 </context>
 <context>
@@ -8528,6 +9186,26 @@
         <source>Take the standard settings</source>
         <translation>Standaardinstellingen nemen</translation>
     </message>
+    <message>
+        <source>Inside the headland</source>
+        <translation>Binnenakker</translation>
+    </message>
+    <message>
+        <source>Headland passes: %1 only in this plan, %2 only in the other.</source>
+        <translation>Kopakkergangen: %1 alleen in dit plan, %2 alleen in het andere.</translation>
+    </message>
+    <message>
+        <source>Turns and ways: %1 only in this plan, %2 only in the other.</source>
+        <translation>Draaien en wegen: %1 alleen in dit plan, %2 alleen in het andere.</translation>
+    </message>
+    <message>
+        <source>All headland passes lie in the same places.</source>
+        <translation>Alle kopakkergangen liggen op dezelfde plaatsen.</translation>
+    </message>
+    <message>
+        <source>All turns and ways lie in the same places.</source>
+        <translation>Alle draaien en wegen liggen op dezelfde plaatsen.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::Planning</name>
@@ -8596,6 +9274,22 @@
             <numerusform>%n probleem</numerusform>
             <numerusform>%n problemen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Out of date · this is a first plan</source>
+        <translation>Verouderd · dit is een eerste plan</translation>
+    </message>
+    <message>
+        <source>First plan · being improved …</source>
+        <translation>Eerste plan · wordt verbeterd…</translation>
+    </message>
+    <message>
+        <source>First plan · comparing %1 of %2 …</source>
+        <translation>Eerste plan · vergelijkt %1 van %2…</translation>
+    </message>
+    <message>
+        <source>Planning … · comparing %1 of %2</source>
+        <translation>Bezig met plannen… · vergelijkt %1 van %2</translation>
     </message>
 </context>
 <context>
@@ -8858,6 +9552,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>Edit a comment</source>
+        <translation>Opmerking bewerken</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StepsModel</name>
@@ -9020,6 +9718,18 @@
         <source>Export</source>
         <translation>Exporteren</translation>
     </message>
+    <message>
+        <source>First plan, being improved</source>
+        <translation>Eerste plan, wordt verbeterd</translation>
+    </message>
+    <message>
+        <source>Only the finished plan is checked</source>
+        <translation>Alleen het voltooide plan wordt gecontroleerd</translation>
+    </message>
+    <message>
+        <source>Until then the map shows the plan before</source>
+        <translation>Tot dan toont de kaart het vorige plan</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -9058,6 +9768,10 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Schrijf het opnieuw als het plan klaar is.</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the fields read from there are these.</source>
+        <translation>elke byte is teruggelezen, en de percelen van daar zijn deze.</translation>
     </message>
 </context>
 <context>

@@ -574,6 +574,30 @@
         <source>bug crash support error</source>
         <translation>erro falha suporte</translation>
     </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Fazer um talhão de um trajeto gravado…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>limite percorrido gravado GPX NMEA contorno</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Comparar em dois mapas</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>comparar lado a lado mapa dividido dois</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Próximo aviso do mesmo tipo</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Aviso anterior do mesmo tipo</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -753,6 +777,10 @@
         <source>Remove</source>
         <translation>Remover</translation>
     </message>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
 </context>
 <context>
     <name>ComparePanel</name>
@@ -789,10 +817,6 @@
         <translation>%1: %2, o outro %3</translation>
     </message>
     <message>
-        <source>On the map: full lines only in this plan, dashes only in the other.</source>
-        <translation>No mapa: linhas contínuas, só neste plano; tracejadas, só no outro.</translation>
-    </message>
-    <message>
         <source>Hold to see the other plan (key X)</source>
         <translation>Segure para ver o outro plano (tecla X)</translation>
     </message>
@@ -811,6 +835,18 @@
     <message>
         <source>Go on with the other plan</source>
         <translation>Continuar com o outro plano</translation>
+    </message>
+    <message>
+        <source>Two maps side by side (Ctrl+Shift+D)</source>
+        <translation>Dois mapas lado a lado (Ctrl+Shift+D)</translation>
+    </message>
+    <message>
+        <source>On the maps, swaths, headland passes and turns are coloured that the other plan has not: full lines in this plan, dashes in the other.</source>
+        <translation>Nos mapas ficam coloridas as passadas, passadas de cabeceira e manobras que o outro plano não tem: linhas contínuas neste plano, tracejadas no outro.</translation>
+    </message>
+    <message>
+        <source>On the map, swaths, headland passes and turns: full lines only in this plan, dashes only in the other.</source>
+        <translation>No mapa, passadas, passadas de cabeceira e manobras: linhas contínuas só neste plano, tracejadas só no outro.</translation>
     </message>
 </context>
 <context>
@@ -907,6 +943,10 @@
     <message>
         <source>Another track…</source>
         <translation>Outro percurso…</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Fazer um talhão dele</translation>
     </message>
 </context>
 <context>
@@ -1010,6 +1050,14 @@
             <numerusform>%n problemas neste plano: ele não pode ser percorrido como está. Os arquivos também dizem isso.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Export fields</source>
+        <translation>Exportar talhões</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
 </context>
 <context>
     <name>ExportFolderPage</name>
@@ -1024,6 +1072,10 @@
     <message>
         <source>Folder for the plan</source>
         <translation>Pasta para o plano</translation>
+    </message>
+    <message>
+        <source>Fields without a plan are planned on the way. Each field gets a folder of its own; ISOXML and AgGPS hold all fields in one.</source>
+        <translation>Talhões sem plano são planejados no caminho. Cada talhão tem sua própria pasta; ISOXML e AgGPS contêm todos os talhões juntos.</translation>
     </message>
 </context>
 <context>
@@ -1195,6 +1247,10 @@
         <source>Print…</source>
         <translation>Imprimir…</translation>
     </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
 </context>
 <context>
     <name>FarmRow</name>
@@ -1245,6 +1301,197 @@
     </message>
 </context>
 <context>
+    <name>FieldFromTrackPanel</name>
+    <message>
+        <source>Field from a track</source>
+        <translation>Talhão de um trajeto</translation>
+    </message>
+    <message>
+        <source>How it was driven</source>
+        <translation>Como foi percorrido</translation>
+    </message>
+    <message>
+        <source>Operating width</source>
+        <translation>Largura de trabalho</translation>
+    </message>
+    <message>
+        <source>The edge lies outside of the line by</source>
+        <translation>A borda fica fora da linha por</translation>
+    </message>
+    <message>
+        <source>Half a width: the implement ran along the edge</source>
+        <translation>Meia largura: o implemento ia pela borda</translation>
+    </message>
+    <message>
+        <source>None: the line is the edge</source>
+        <translation>Nada: a linha é a borda</translation>
+    </message>
+    <message>
+        <source>Gaps between strips are closed up to</source>
+        <translation>Vãos entre faixas são fechados até</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Make the field</source>
+        <translation>Criar o talhão</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>FieldsToExport</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 e mais %n</numerusform>
+            <numerusform>%1 e mais %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
+        <translation>%1: o plano tem problemas e não pode ser percorrido como está desenhado. Os arquivos também dizem isso.</translation>
+    </message>
+</context>
+<context>
+    <name>FileList</name>
+    <message>
+        <source>%1, falling</source>
+        <translation>%1, decrescente</translation>
+    </message>
+    <message>
+        <source>%1, rising</source>
+        <translation>%1, crescente</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Alterado</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>Files of %1</source>
+        <translation>Arquivos de %1</translation>
+    </message>
+    <message>
+        <source>Folder %1</source>
+        <translation>Pasta %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Reading the folder …</source>
+        <translation>Lendo a pasta …</translation>
+    </message>
+    <message>
+        <source>Nothing to choose here.</source>
+        <translation>Não há nada para escolher aqui.</translation>
+    </message>
+</context>
+<context>
+    <name>FileWindow</name>
+    <message>
+        <source>The folder around it (Backspace)</source>
+        <translation>A pasta acima (Backspace)</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Pasta</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>Nova pasta…</translation>
+    </message>
+    <message>
+        <source>“%1” is already there. Write over it?</source>
+        <translation>“%1” já existe. Substituir?</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”. Make it?</source>
+        <translation>Não há pasta “%1”. Criar?</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Nome da nova pasta</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Não</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Substituir</translation>
+    </message>
+    <message>
+        <source>Make the folder</source>
+        <translation>Criar a pasta</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Which files are shown</source>
+        <translation>Quais arquivos são mostrados</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+    <message>
+        <source>Choose this folder</source>
+        <translation>Escolher esta pasta</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>The folder “%1” cannot be made.</source>
+        <translation>A pasta “%1” não pode ser criada.</translation>
+    </message>
+    <message>
+        <source>There is nothing called “%1”.</source>
+        <translation>Não há nada chamado “%1”.</translation>
+    </message>
+    <message>
+        <source>Choose files only, or one folder to look into.</source>
+        <translation>Escolha só arquivos, ou uma pasta para abrir.</translation>
+    </message>
+    <message>
+        <source>Choose a file first.</source>
+        <translation>Escolha primeiro um arquivo.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written in “%1”. Choose another folder.</source>
+        <translation>Não é possível gravar em “%1”. Escolha outra pasta.</translation>
+    </message>
+    <message>
+        <source>Give the file a name.</source>
+        <translation>Dê um nome ao arquivo.</translation>
+    </message>
+</context>
+<context>
     <name>FilesNotice</name>
     <message>
         <source>Keep</source>
@@ -1284,6 +1531,18 @@
     <message>
         <source>For information</source>
         <translation>Para informação</translation>
+    </message>
+    <message>
+        <source>%1 of %2 of this kind</source>
+        <translation>%1 de %2 deste tipo</translation>
+    </message>
+    <message>
+        <source>The one before, of this kind (Ctrl+Shift+F8)</source>
+        <translation>O anterior deste tipo (Ctrl+Shift+F8)</translation>
+    </message>
+    <message>
+        <source>The next of this kind (Ctrl+F8)</source>
+        <translation>O próximo deste tipo (Ctrl+F8)</translation>
     </message>
 </context>
 <context>
@@ -1673,6 +1932,30 @@
         <source>no room</source>
         <translation>não cabe</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Caminho de volta ao trabalho</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Caminho para a descarga</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Caminho para o reabastecimento</translation>
+    </message>
+    <message>
+        <source>In the bunker</source>
+        <translation>No tanque graneleiro</translation>
+    </message>
+    <message>
+        <source>In the tank</source>
+        <translation>No tanque</translation>
+    </message>
+    <message>
+        <source>Then stands</source>
+        <translation>Depois fica parado</translation>
+    </message>
 </context>
 <context>
     <name>InspectorPanel</name>
@@ -1923,6 +2206,10 @@
         <source>Keep the machine as</source>
         <translation>Guardar a máquina como</translation>
     </message>
+    <message>
+        <source>This plan: %1</source>
+        <translation>Este plano: %1</translation>
+    </message>
 </context>
 <context>
     <name>MapPage</name>
@@ -2054,6 +2341,21 @@
     </message>
 </context>
 <context>
+    <name>OtherMap</name>
+    <message>
+        <source>Map of the other plan: %1</source>
+        <translation>Mapa do outro plano: %1</translation>
+    </message>
+    <message>
+        <source>The other plan is being made …</source>
+        <translation>O outro plano está sendo calculado…</translation>
+    </message>
+    <message>
+        <source>The other: %1</source>
+        <translation>O outro: %1</translation>
+    </message>
+</context>
+<context>
     <name>PageList</name>
     <message>
         <source>Pages</source>
@@ -2104,6 +2406,25 @@
     <message>
         <source>Click the place on the map. Esc ends it.</source>
         <translation>Clique no lugar no mapa. Esc para encerrar.</translation>
+    </message>
+    <message>
+        <source>Click the places on the map</source>
+        <translation>Clique nos lugares no mapa</translation>
+    </message>
+    <message>
+        <source>Click another place, or one of them to remove it</source>
+        <translation>Clique em outro lugar, ou em um deles para removê-lo</translation>
+    </message>
+</context>
+<context>
+    <name>PlacesPicker</name>
+    <message>
+        <source>Place %1: remove it</source>
+        <translation>Lugar %1: remover</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Concluída</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6846,135 @@
         <source>this is a mistake of Furrow, please report it with the field, the machine and the settings</source>
         <translation>é um erro do Furrow; comunique-o com o talhão, a máquina e as configurações</translation>
     </message>
+    <message>
+        <source>%1 %2 is no place in WGS84</source>
+        <translation>%1 %2 não é um lugar em WGS84</translation>
+    </message>
+    <message>
+        <source>%1 gathers %2; the bunker holds %3.</source>
+        <translation>%1 colhe %2; no tanque graneleiro cabem %3.</translation>
+    </message>
+    <message>
+        <source>%1 of standing</source>
+        <translation>%1 de parada</translation>
+    </message>
+    <message>
+        <source>%1 takes %2; the tank holds %3.</source>
+        <translation>%1 consome %2; no tanque cabem %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes are too long for it.</source>
+        <translation>
+            <numerusform>%n passada é longa demais.</numerusform>
+            <numerusform>%n passadas são longas demais.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n refills, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Um reabastecimento, com %1 de caminho de ida e volta e %2.</numerusform>
+            <numerusform>%n reabastecimentos, com %1 de caminho de ida e volta e %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unloadings, with %1 of way to them and back and %2.</source>
+        <translation>
+            <numerusform>Uma descarga, com %1 de caminho de ida e volta e %2.</numerusform>
+            <numerusform>%n descargas, com %1 de caminho de ida e volta e %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose another refill point.</source>
+        <translation>Escolha outro ponto de reabastecimento.</translation>
+    </message>
+    <message>
+        <source>Give more refill points, or ones that are nearer.</source>
+        <translation>Indique mais pontos de reabastecimento, ou mais próximos.</translation>
+    </message>
+    <message>
+        <source>Let ways cross the mainland (route.traversal), so that swaths may be interrupted, or lay the swaths the short way.</source>
+        <translation>Permita caminhos pelo interior (route.traversal), para que as passadas possam ser interrompidas, ou trace as passadas no sentido curto.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the bunker holds are gathered.</source>
+        <translation>Nenhuma ida a um ponto de descarga é necessária: colhem-se %1 dos %2 que cabem no tanque graneleiro.</translation>
+    </message>
+    <message>
+        <source>No trip to a refill point is needed: %1 of the %2 that the tank holds are used.</source>
+        <translation>Nenhuma ida a um ponto de reabastecimento é necessária: usam-se %1 dos %2 que cabem no tanque.</translation>
+    </message>
+    <message>
+        <source>No way to a refill point leads from the work before %1.</source>
+        <translation>Nenhum caminho leva a um ponto de reabastecimento a partir do trabalho antes de %1.</translation>
+    </message>
+    <message>
+        <source>POINT (%1 %2) lies outside of the field</source>
+        <translation>POINT (%1 %2) está fora do talhão</translation>
+    </message>
+    <message>
+        <source>Plan again; the levels were changed.</source>
+        <translation>Planeje de novo; os níveis foram alterados.</translation>
+    </message>
+    <message>
+        <source>Refill points</source>
+        <translation>Pontos de reabastecimento</translation>
+    </message>
+    <message>
+        <source>That the machine stands each time its tank is filled or its bunker emptied; 300 s where it is not given.</source>
+        <translation>Quanto a máquina fica parada a cada vez que o tanque é abastecido ou o graneleiro esvaziado; 300 s se não for informado.</translation>
+    </message>
+    <message>
+        <source>The bunker is full in %1: %2 are worked beyond that.</source>
+        <translation>O tanque graneleiro está cheio em %1: %2 são trabalhados além disso.</translation>
+    </message>
+    <message>
+        <source>The level changes %1 away from the refill points.</source>
+        <translation>O nível muda a %1 dos pontos de reabastecimento.</translation>
+    </message>
+    <message>
+        <source>The machine has no room at this refill point.</source>
+        <translation>A máquina não tem espaço neste ponto de reabastecimento.</translation>
+    </message>
+    <message>
+        <source>The machine has to stand for %1 s at a refill point, and does not in %2.</source>
+        <translation>A máquina tem de ficar parada %1 s em um ponto de reabastecimento e não fica: %2.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine has no tank.</source>
+        <translation>Os pontos de reabastecimento não são usados: esta máquina não tem tanque.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this machine&apos;s tank has no rate.</source>
+        <translation>Os pontos de reabastecimento não são usados: o tanque desta máquina não tem dose.</translation>
+    </message>
+    <message>
+        <source>The refill points are not used: this operation uses no tank.</source>
+        <translation>Os pontos de reabastecimento não são usados: esta operação não usa tanque.</translation>
+    </message>
+    <message>
+        <source>The stated level differs from the work that is done, by up to %1 of the tank.</source>
+        <translation>O nível informado difere do trabalho feito, em até %1 do tanque.</translation>
+    </message>
+    <message>
+        <source>The tank is empty in %1: %2 are worked beyond that.</source>
+        <translation>O tanque está vazio em %1: %2 são trabalhados além disso.</translation>
+    </message>
+    <message>
+        <source>Time to fill</source>
+        <translation>Tempo de enchimento</translation>
+    </message>
+    <message>
+        <source>Where the tank is filled or the bunker emptied: points or names of gates, divided by semicolons.</source>
+        <translation>Onde o tanque é abastecido ou o tanque graneleiro esvaziado: pontos ou nomes de entradas, separados por ponto e vírgula.</translation>
+    </message>
+    <message>
+        <source>give longitude, then latitude, in degrees</source>
+        <translation>indique longitude, depois latitude, em graus</translation>
+    </message>
+    <message>
+        <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
+        <translation>nomes de entradas ou pontos em WGS84 como MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -6755,6 +7205,14 @@
         <source>Close</source>
         <translation>Fechar</translation>
     </message>
+    <message>
+        <source>first plan: preliminary figures</source>
+        <translation>primeiro plano: números provisórios</translation>
+    </message>
+    <message>
+        <source>of the plan before</source>
+        <translation>do plano anterior</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDialogs</name>
@@ -6773,6 +7231,26 @@
     <message>
         <source>All files (*)</source>
         <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Take in this review?</source>
+        <translation>Incorporar esta revisão?</translation>
+    </message>
+    <message>
+        <source>The file is a review of a plan of the project that is open. Its comments can be taken in here.</source>
+        <translation>O arquivo é uma revisão de um plano do projeto aberto. Seus comentários podem ser incorporados aqui.</translation>
+    </message>
+    <message>
+        <source>Take in</source>
+        <translation>Incorporar</translation>
+    </message>
+    <message>
+        <source>Open by itself</source>
+        <translation>Abrir à parte</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +7333,14 @@
     <message>
         <source>Close</source>
         <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Comment %1:</source>
+        <translation>Comentário %1:</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Alterar</translation>
     </message>
 </context>
 <context>
@@ -7081,6 +7567,29 @@
     <message>
         <source>Ctrl+S saves the project, F1 opens the guide.</source>
         <translation>Ctrl+S salva o projeto, F1 abre o guia.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackQuestion</name>
+    <message>
+        <source>“%1” is a recorded track</source>
+        <translation>“%1” é um trajeto gravado</translation>
+    </message>
+    <message>
+        <source>It can become a field, or be laid over the plan to see how far beside it was driven.</source>
+        <translation>Ele pode virar um talhão, ou ser posto sobre o plano para ver o quanto se desviou.</translation>
+    </message>
+    <message>
+        <source>Make a field from it</source>
+        <translation>Fazer um talhão dele</translation>
+    </message>
+    <message>
+        <source>Lay it over the plan</source>
+        <translation>Pôr sobre o plano</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -7639,6 +8148,14 @@
         <source>Page %1 of %2</source>
         <translation>Página %1 de %2</translation>
     </message>
+    <message>
+        <source>Unloadings</source>
+        <translation>Descargas</translation>
+    </message>
+    <message>
+        <source>Refills</source>
+        <translation>Reabastecimentos</translation>
+    </message>
 </context>
 <context>
     <name>furrow::BestSearch</name>
@@ -7753,6 +8270,26 @@
     <message>
         <source>tank empty</source>
         <translation>tanque vazio</translation>
+    </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Caminho de volta ao trabalho</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Caminho para a descarga</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Caminho para o reabastecimento</translation>
+    </message>
+    <message>
+        <source>Way without work</source>
+        <translation>Caminho sem trabalho</translation>
+    </message>
+    <message>
+        <source>bunker %1</source>
+        <translation>tanque graneleiro %1</translation>
     </message>
 </context>
 <context>
@@ -7870,6 +8407,43 @@
     <message>
         <source>There is no plan to export. The message on the map says why.</source>
         <translation>Não há plano para exportar. A mensagem no mapa diz por quê.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s)</source>
+        <translation>
+            <numerusform>%n talhão</numerusform>
+            <numerusform>%n talhões</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Furrow plans</source>
+        <translation>Furrow planos</translation>
+    </message>
+    <message>
+        <source>None of the fields could be exported.</source>
+        <translation>Nenhum dos talhões pôde ser exportado.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) written to %1</source>
+        <translation>
+            <numerusform>%n talhão gravado em %1</numerusform>
+            <numerusform>%n talhões gravados em %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n arquivo</numerusform>
+            <numerusform>%n arquivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing was stopped.</source>
+        <translation>A gravação foi interrompida.</translation>
+    </message>
+    <message>
+        <source>Fields that were written before stay in the folder.</source>
+        <translation>Os talhões já gravados ficam na pasta.</translation>
     </message>
 </context>
 <context>
@@ -8133,6 +8707,63 @@
     </message>
 </context>
 <context>
+    <name>furrow::FieldFromTrack</name>
+    <message numerus="yes">
+        <source>%n position(s)</source>
+        <translation>
+            <numerusform>%n posição</numerusform>
+            <numerusform>%n posições</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n track(s)</source>
+        <translation>
+            <numerusform>%n trajeto</numerusform>
+            <numerusform>%n trajetos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The pieces do not touch: each becomes a field of its own.</source>
+        <translation>Os pedaços não se tocam: cada um vira um talhão próprio.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pedaços</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Buracos</translation>
+    </message>
+    <message>
+        <source>Points of the boundary</source>
+        <translation>Pontos do limite</translation>
+    </message>
+    <message>
+        <source>Around the field</source>
+        <translation>Ao redor do talhão</translation>
+    </message>
+    <message>
+        <source>Over the whole field, at work</source>
+        <translation>Por todo o talhão, em trabalho</translation>
+    </message>
+    <message>
+        <source>As it looks: around the field</source>
+        <translation>Conforme parece: ao redor do talhão</translation>
+    </message>
+    <message>
+        <source>As it looks: over the field</source>
+        <translation>Conforme parece: por todo o talhão</translation>
+    </message>
+    <message>
+        <source>As it looks</source>
+        <translation>Conforme parece</translation>
+    </message>
+</context>
+<context>
     <name>furrow::FieldOpener</name>
     <message numerus="yes">
         <source>%n file(s)</source>
@@ -8238,6 +8869,33 @@
     <message>
         <source>Ground outside that the machine or its implement drives over</source>
         <translation>Solo de fora por onde a máquina ou o implemento passa</translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FileBrowser</name>
+    <message>
+        <source>This folder cannot be read.</source>
+        <translation>Esta pasta não pode ser lida.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pasta pessoal</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Documentos</translation>
+    </message>
+    <message>
+        <source>Downloads</source>
+        <translation>Downloads</translation>
+    </message>
+    <message>
+        <source>Desktop</source>
+        <translation>Área de trabalho</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computador</translation>
     </message>
 </context>
 <context>
@@ -8528,6 +9186,26 @@
         <source>Take the standard settings</source>
         <translation>Usar as configurações padrão</translation>
     </message>
+    <message>
+        <source>Inside the headland</source>
+        <translation>Interior do talhão</translation>
+    </message>
+    <message>
+        <source>Headland passes: %1 only in this plan, %2 only in the other.</source>
+        <translation>Passadas de cabeceira: %1 só neste plano, %2 só no outro.</translation>
+    </message>
+    <message>
+        <source>Turns and ways: %1 only in this plan, %2 only in the other.</source>
+        <translation>Manobras e trajetos: %1 só neste plano, %2 só no outro.</translation>
+    </message>
+    <message>
+        <source>All headland passes lie in the same places.</source>
+        <translation>Todas as passadas de cabeceira ficam nos mesmos lugares.</translation>
+    </message>
+    <message>
+        <source>All turns and ways lie in the same places.</source>
+        <translation>Todas as manobras e trajetos ficam nos mesmos lugares.</translation>
+    </message>
 </context>
 <context>
     <name>furrow::Planning</name>
@@ -8596,6 +9274,22 @@
             <numerusform>%n problema</numerusform>
             <numerusform>%n problemas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Out of date · this is a first plan</source>
+        <translation>Desatualizado · este é um primeiro plano</translation>
+    </message>
+    <message>
+        <source>First plan · being improved …</source>
+        <translation>Primeiro plano · sendo melhorado…</translation>
+    </message>
+    <message>
+        <source>First plan · comparing %1 of %2 …</source>
+        <translation>Primeiro plano · comparando %1 de %2…</translation>
+    </message>
+    <message>
+        <source>Planning … · comparing %1 of %2</source>
+        <translation>Planejando… · comparando %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -8858,6 +9552,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>Edit a comment</source>
+        <translation>Editar um comentário</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StepsModel</name>
@@ -9020,6 +9718,18 @@
         <source>Export</source>
         <translation>Exportar</translation>
     </message>
+    <message>
+        <source>First plan, being improved</source>
+        <translation>Primeiro plano, sendo melhorado</translation>
+    </message>
+    <message>
+        <source>Only the finished plan is checked</source>
+        <translation>Só o plano pronto é verificado</translation>
+    </message>
+    <message>
+        <source>Until then the map shows the plan before</source>
+        <translation>Até lá o mapa mostra o plano anterior</translation>
+    </message>
 </context>
 <context>
     <name>furrow::StickExport</name>
@@ -9058,6 +9768,10 @@
     <message>
         <source>Write it again when the plan is finished.</source>
         <translation>Grave de novo quando o plano estiver pronto.</translation>
+    </message>
+    <message>
+        <source>every byte was read back, and the fields read from there are these.</source>
+        <translation>cada byte foi lido de volta, e os talhões lidos dali são estes.</translation>
     </message>
 </context>
 <context>
