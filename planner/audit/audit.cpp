@@ -1,5 +1,6 @@
 #include "planner/audit/audit.h"
 
+#include "planner/audit/audited_land.h"
 #include "planner/audit/findings.h"
 
 #include <algorithm>
@@ -45,19 +46,23 @@ void addTraffic(AuditReport& report, const Traffic& traffic) {
 }  // namespace
 
 Result<AuditReport> audit(const AuditInput& input, const JobContext& job) {
+    return auditedLand(input, job).and_then([&](const AuditedLand& land) { return audit(input, land, job); });
+}
+
+Result<AuditReport> audit(const AuditInput& input, const AuditedLand& land, const JobContext& job) {
     const MachineShape shape = shapeOf(input);
     const auto motions = followPath(input, shape, job.part(0.0, 0.1));
     if (!motions) {
         return std::unexpected(motions.error());
     }
-    const auto swept = measureSweptArea(input, shape, *motions, job.part(0.1, 0.6));
+    const auto swept = measureSweptArea(input, land, shape, *motions, job.part(0.1, 0.6));
     if (!swept) {
         return std::unexpected(swept.error());
     }
     job.report(0.6);
     std::optional<ClearanceReport> clearance;
     if (input.machine) {
-        auto measured = measureClearance(input, *motions, job.part(0.6, 0.9));
+        auto measured = measureClearance(input, *land.clearance, *motions, job.part(0.6, 0.9));
         if (!measured) {
             return std::unexpected(measured.error());
         }

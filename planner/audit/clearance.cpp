@@ -1,12 +1,12 @@
 #include "planner/audit/clearance.h"
 
+#include "planner/audit/audited_land.h"
 #include "planner/audit/clearance_meter.h"
 #include "planner/audit/convex.h"
 #include "planner/audit/depth_sweep.h"
 #include "planner/audit/footprint.h"
 #include "planner/audit/length.h"
 #include "planner/audit/swept_area.h"
-#include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/jobs/parallel.h"
 
@@ -67,30 +67,6 @@ Ring hullOf(const FootprintPart& part, const Placed& a, const Placed& b) {
     std::ranges::copy(rectangle(b.middle, b.nose, part.halfLengthM, part.halfWidthM),
                       std::back_inserter(corners));
     return hullAround(std::move(corners));
-}
-
-MultiPolygon withoutHoles(const MultiPolygon& polygons) {
-    MultiPolygon filled;
-    for (const Polygon& polygon : polygons) {
-        filled.push_back({.outer = polygon.outer, .holes = {}});
-    }
-    return filled;
-}
-
-MultiPolygon gateDiscs(const std::vector<AuditGate>& gates) {
-    constexpr int kCorners = 64;
-    MultiPolygon discs;
-    for (const AuditGate& gate : gates) {
-        Ring ring;
-        for (int i = 0; i < kCorners && gate.width > metres(0.0); ++i) {
-            ring.push_back(gate.position +
-                           0.5 * gate.width.si() * direction(2.0 * std::numbers::pi * i / kCorners));
-        }
-        if (!ring.empty()) {
-            discs.push_back({.outer = std::move(ring), .holes = {}});
-        }
-    }
-    return discs;
 }
 
 /// An upper bound of the least clearance of all segments. It only falls.
@@ -189,16 +165,6 @@ private:
     SegmentClearance found_;
 };
 
-/// An area with the gates open.
-Result<MultiPolygon> withGates(const AuditInput& input, MultiPolygon open, const JobContext& job) {
-    const MultiPolygon discs = gateDiscs(input.gates);
-    if (discs.empty()) {
-        return open;
-    }
-    std::ranges::copy(discs, std::back_inserter(open));
-    return unionOf(open, job, kSnapGrid);
-}
-
 // The implement has layers of its own where it may stand over more than the rest.
 enum Layer : std::size_t { kOpen, kFootprint, kOpenForImplement, kImplement };
 
@@ -244,14 +210,6 @@ Result<MultiPolygon> outlineOf(std::span<const std::vector<Ring>> groups, Point 
     }
     return outlineOf(outlines, along, job);
 }
-
-/// Areas with gates open, and the index of each.
-struct OpenLand {
-    explicit OpenLand(MultiPolygon area) : open{std::move(area)}, meter{open, withoutHoles(open)} {}
-
-    MultiPolygon open;
-    ClearanceMeter meter;
-};
 
 /// The part of the area swept by suspects that lies outside.
 /// @param forImplement  its own area; null if it is the same
@@ -354,19 +312,15 @@ Result<void> addOverhang(const std::vector<SegmentMotion>& motions, const PartsO
 
 Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
                                          const JobContext& job) {
-    auto open = withGates(input, input.drivable, job);
-    if (!open) {
-        return std::unexpected(open.error());
-    }
-    const OpenLand drivable{*std::move(open)};
-    std::optional<OpenLand> overhung;
-    if (input.overhung) {
-        auto wider = withGates(input, *input.overhung, job);
-        if (!wider) {
-            return std::unexpected(wider.error());
-        }
-        overhung.emplace(*std::move(wider));
-    }
+    return clearanceLand(input, job).and_then([&](const ClearanceLand& land) {
+        return measureClearance(input, land, motions, job);
+    });
+}
+
+Result<ClearanceReport> measureClearance(const AuditInput& input, const ClearanceLand& against,
+                                         const std::vector<SegmentMotion>& motions, const JobContext& job) {
+    const OpenLand& drivable = against.drivable;
+    const OpenLand* const overhung = against.overhung ? &*against.overhung : nullptr;
     const Footprint footprint = footprintOf(*input.machine);
     const bool isTrailed = input.machine->spec().implement.mounting == Mounting::Trailed;
     const auto implementAt = [&](std::size_t i, const OpenLand& land) -> MovedPart {
@@ -379,15 +333,15 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vec
     };
     const auto all = [&](std::size_t i) {
         std::vector<MovedPart> parts{{.part = footprint.tractor, .meter = drivable.meter, .isTractor = true}};
-        if (overhung && isTrailed) {
+        if (overhung != nullptr && isTrailed) {
             parts.push_back({.part = footprint.wheels, .meter = drivable.meter});
         }
-        parts.push_back(implementAt(i, overhung ? *overhung : drivable));
+        parts.push_back(implementAt(i, overhung != nullptr ? *overhung : drivable));
         return parts;
     };
-    auto report = clearanceOf(motions, all, drivable.open, overhung ? &overhung->open : nullptr,
-                              overhung ? job.part(0.0, 0.6) : job);
-    if (report && overhung) {
+    auto report = clearanceOf(motions, all, drivable.open, overhung != nullptr ? &overhung->open : nullptr,
+                              overhung != nullptr ? job.part(0.0, 0.6) : job);
+    if (report && overhung != nullptr) {
         const auto implement = [&](std::size_t i) { return std::vector{implementAt(i, drivable)}; };
         if (auto added = addOverhang(motions, implement, drivable, job.part(0.6, 1.0), *report); !added) {
             return std::unexpected(added.error());

@@ -22,6 +22,8 @@ struct SegmentClearance {
     bool isSuspect() const { return !suspects[0].empty() || !suspects[1].empty(); }
 };
 
+struct ClearanceLand;
+
 struct ClearanceReport {
     std::vector<SegmentClearance> segments;  ///< one for each segment
     Length smallest;
@@ -38,5 +40,8 @@ struct ClearanceReport {
 /// depend on the thread count. The clearance of other segments does.
 Result<ClearanceReport> measureClearance(const AuditInput& input, const std::vector<SegmentMotion>& motions,
                                          const JobContext& job);
+/// The same with the land of this input made before.
+Result<ClearanceReport> measureClearance(const AuditInput& input, const ClearanceLand& against,
+                                         const std::vector<SegmentMotion>& motions, const JobContext& job);
 
 }  // namespace furrow

@@ -19,8 +19,6 @@ constexpr Length kHairWidth = metres(0.1);
 // A smaller piece stays one, hairs and all: no single pass is sent to its parts.
 constexpr Area kWorthSplitting = squareMetres(5.0);
 
-constexpr double kReachToleranceM = 0.02;
-
 struct WorkingLine {
     Point right;
     Point left;
@@ -203,57 +201,6 @@ std::uint32_t regionsAt(const Depths& depths) {
     return !reach ? missed | bit(kBeyond) : missed | (depths[kLaneEnd] > 0 ? bit(kEnds) : bit(kDropped));
 }
 
-/// The radius of the disc that has to fit where a machine can work: half its footprint's width. A machine
-/// that cannot reverse out of a corner can at best go round it on full lock. The outer end of its implement
-/// then describes the edge of its reach.
-Length reachRadius(const Machine& machine, const MachineShape& shape) {
-    const MachineSpec& spec = machine.spec();
-    const Length half = 0.5 * machine.workingFootprintWidth();
-    if (spec.tractor.canTurnInPlace ||
-        (spec.tractor.canReverse && (!shape.trailingM || spec.implement.canReverse))) {
-        return half;
-    }
-    double radiusM = machine.minTurningRadius().si();
-    if (shape.trailingM) {
-        const double hitchM = std::hypot(radiusM, shape.hitchOffsetM);
-        radiusM = std::sqrt(std::max(0.0, hitchM * hitchM - *shape.trailingM * *shape.trailingM));
-    }
-    return half + metres(radiusM);
-}
-
-/// The drivable area less the margin.
-Result<MultiPolygon> withinMargin(const AuditInput& input, const JobContext& job) {
-    return input.margin > Length{} ? eroded(input.drivable, input.margin, kArcTolerance, job)
-                                   : Result<MultiPolygon>{input.drivable};
-}
-
-/// The distance by which a tractor that is broader than its implement keeps the working line away from an
-/// edge, along it and across it.
-Length keptAway(const Machine& machine, const MachineShape& shape) {
-    if (shape.trailingM) {
-        return {};
-    }
-    const Length lineAt = machine.spec().implement.offset;
-    Length front = lineAt;
-    Length rear = lineAt;
-    for (const Point& corner : machine.workingFootprint()) {
-        front = std::max(front, metres(corner.x));
-        rear = std::min(rear, metres(corner.x));
-    }
-    const Length aside = 0.5 * (machine.workingFootprintWidth() - machine.operatingWidth());
-    return std::max(Length{}, std::min({aside, front - lineAt, lineAt - rear}));
-}
-
-/// The area in which that disc fits, less the strip from which the tractor keeps the working line away.
-Result<MultiPolygon> reachable(const AuditInput& input, const MultiPolygon& area, const MachineShape& shape,
-                               const JobContext& job) {
-    const Length radius = reachRadius(*input.machine, shape);
-    const auto middles = eroded(area, radius, metres(kReachToleranceM), job);
-    return middles
-               ? dilated(*middles, radius - keptAway(*input.machine, shape), metres(kReachToleranceM), job)
-               : middles;
-}
-
 /// The lanes beyond the ends of the swaths, and before them by the distance of the implement from the axle.
 /// If the strip beside them is kept for turning, they are worked together with it.
 void addLaneEnds(const AuditInput& input, const MachineShape& shape, LayeredPolygons& layers) {
@@ -318,18 +265,25 @@ Length hairWidth(const AuditInput& input) {
                           : Length{});
 }
 
-Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, const JobContext& job) {
+Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, KnownPieces& known,
+                                  const JobContext& job) {
     MultiPolygon kept;
     for (Polygon& piece : pieces) {
         if (area(piece) < kWorthSplitting) {
             kept.push_back(std::move(piece));
             continue;
         }
-        auto parts = eroded({piece}, 0.5 * hair, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
-            return dilated(cores, 0.5 * hair, kArcTolerance, job);
-        });
+        auto parts = known.find(piece);
         if (!parts) {
-            return parts;
+            auto made =
+                eroded({piece}, 0.5 * hair, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
+                    return dilated(cores, 0.5 * hair, kArcTolerance, job);
+                });
+            if (!made) {
+                return made;
+            }
+            known.add(piece, *made);
+            parts = *std::move(made);
         }
         std::ranges::move(*parts, std::back_inserter(kept));
     }
@@ -346,16 +300,16 @@ bool liesIn(const Polygon& part, const Polygon& whole) {
 
 /// If too much was dropped, keeps only the parts with room for the machine to work. A trailed implement can
 /// work from more than a straight line, and is judged by its disc only.
-Result<void> keepWithRoom(const AuditInput& input, const MultiPolygon& within, const MachineShape& shape,
-                          const JobContext& job, SweptArea& swept) {
+Result<void> keepWithRoom(const AuditInput& input, const AuditedLand& land, const JobContext& job,
+                          SweptArea& swept) {
     const bool tooMuch =
         swept.droppedArea > kMissedShare * area(input.workable) ||
         std::ranges::any_of(swept.dropped, [](const Polygon& piece) { return area(piece) > kMissedPiece; });
-    if (!input.machine || shape.trailingM || !tooMuch) {
+    if (!land.room || !tooMuch) {
         return {};
     }
-    auto kept = partsWithRoom(swept.dropped, WorkingRoom{within, *input.machine, shape},
-                              input.machine->operatingWidth(), job);
+    auto kept =
+        partsWithRoom(swept.dropped, *land.room, input.machine->operatingWidth(), job, land.withRoom.get());
     if (!kept) {
         return std::unexpected(kept.error());
     }
@@ -392,25 +346,19 @@ Point mainDirection(const std::vector<SegmentMotion>& motions) {
     return along;
 }
 
-Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& shape,
-                                   const std::vector<SegmentMotion>& motions, const JobContext& job) {
+Result<SweptArea> measureSweptArea(const AuditInput& input, const AuditedLand& land,
+                                   const MachineShape& shape, const std::vector<SegmentMotion>& motions,
+                                   const JobContext& job) {
     SweptArea result;
     LayeredPolygons layers;
     layers.add(kWorkable, input.workable);
     addPasses(input, shape, motions, layers, result);
-    const auto within = withinMargin(input, job);
-    if (!within) {
-        return std::unexpected(within.error());
-    }
-    layers.add(kWithinMargin,
-               input.margin > Length{} ? *within : MultiPolygon{{.outer = everywhere(input), .holes = {}}});
+    layers.add(kWithinMargin, input.margin > Length{}
+                                  ? land.withinMargin
+                                  : MultiPolygon{{.outer = everywhere(input), .holes = {}}});
     layers.add(kOnPurpose, input.leftOnPurpose);
-    if (input.machine) {
-        const auto reach = reachable(input, *within, shape, job);
-        if (!reach) {
-            return std::unexpected(reach.error());
-        }
-        layers.add(kReach, *reach);
+    if (land.reach) {
+        layers.add(kReach, *land.reach);
     } else {
         layers.add(kReach, everywhere(input));
     }
@@ -442,12 +390,13 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& 
     result.droppedArea = regions[kDropped].area;
     result.beyondReachArea = regions[kBeyond].area;
     result.beyondReach = std::move(regions[kBeyond].polygons);
-    auto pieces = withoutHairs(std::move(regions[kDropped].polygons), hairWidth(input), job);
+    auto pieces =
+        withoutHairs(std::move(regions[kDropped].polygons), hairWidth(input), *land.withoutHairs, job);
     if (!pieces) {
         return std::unexpected(pieces.error());
     }
     result.dropped = std::move(*pieces);
-    if (auto kept = keepWithRoom(input, *within, shape, job, result); !kept) {
+    if (auto kept = keepWithRoom(input, land, job, result); !kept) {
         return std::unexpected(kept.error());
     }
     result.stripArea = regions[kStrip].area;

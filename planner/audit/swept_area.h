@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/audit/audited_land.h"
 #include "planner/audit/motion.h"
 
 namespace furrow {
@@ -39,8 +40,10 @@ struct SweptArea {
     Area laneEnds;       ///< missed at the ends of the lanes, beside that strip
 };
 
-Result<SweptArea> measureSweptArea(const AuditInput& input, const MachineShape& shape,
-                                   const std::vector<SegmentMotion>& motions, const JobContext& job);
+/// @param land  of this input
+Result<SweptArea> measureSweptArea(const AuditInput& input, const AuditedLand& land,
+                                   const MachineShape& shape, const std::vector<SegmentMotion>& motions,
+                                   const JobContext& job);
 
 /// The direction of the longest straight step of the implement, as a unit vector.
 Point mainDirection(const std::vector<SegmentMotion>& motions);

@@ -262,10 +262,27 @@ std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const Workin
     return isWhole ? std::nullopt : std::optional{std::move(squares)};
 }
 
+/// The parts of a piece with room, in squares of this size.
+Result<MultiPolygon> partsOf(const Polygon& piece, const WorkingRoom& room, double sizeM,
+                             const JobContext& job) {
+    const std::optional<MultiPolygon> squares = squaresWithRoom(piece, room, sizeM);
+    if (!squares) {
+        return MultiPolygon{piece};
+    }
+    if (squares->empty()) {
+        return MultiPolygon{};
+    }
+    // The sides of squares are equal to the last bit, so no grid is needed. On one, this was most of the time
+    // of an audit.
+    return unionOf(*squares, job).and_then([&](const MultiPolygon& one) {
+        return intersection({piece}, one, job);
+    });
+}
+
 }  // namespace
 
 Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room,
-                                   Length operatingWidth, const JobContext& job) {
+                                   Length operatingWidth, const JobContext& job, KnownPieces* known) {
     const double finestM = std::clamp(operatingWidth.si() / 16.0, 0.25, 0.5);
     MultiPolygon parts;
     Area looked;
@@ -278,22 +295,20 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
             continue;
         }
         looked += area(polygon);
-        const double sizeM =
-            std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
-        const std::optional<MultiPolygon> squares = squaresWithRoom(polygon, room, sizeM);
-        if (!squares) {
-            parts.push_back(polygon);
-        } else if (!squares->empty()) {
-            // The sides of squares are equal to the last bit, so no grid is needed. On one, this was most of
-            // the time of an audit.
-            auto joined = unionOf(*squares, job).and_then([&](const MultiPolygon& one) {
-                return intersection({polygon}, one, job);
-            });
-            if (!joined) {
-                return joined;
+        auto some = known != nullptr ? known->find(polygon) : std::nullopt;
+        if (!some) {
+            const double sizeM =
+                std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
+            auto made = partsOf(polygon, room, sizeM, job);
+            if (!made) {
+                return made;
             }
-            std::ranges::move(*joined, std::back_inserter(parts));
+            if (known != nullptr) {
+                known->add(polygon, *made);
+            }
+            some = *std::move(made);
         }
+        std::ranges::move(*some, std::back_inserter(parts));
     }
     std::ranges::stable_sort(parts, std::ranges::greater{}, [](const Polygon& part) { return area(part); });
     return parts;

@@ -2,6 +2,7 @@
 
 #include "planner/audit/boundary_index.h"
 #include "planner/audit/footprint.h"
+#include "planner/audit/known_pieces.h"
 #include "planner/audit/motion.h"
 
 #include <vector>
@@ -51,8 +52,11 @@ private:
 
 /// The parts of polygons within reach in this sense, largest first. They are tested in squares of a quarter
 /// of a metre to one and a half; larger pieces have larger squares. Pieces larger than 1,000 m², and all
-/// pieces after 2 ha of smaller ones, stay unchanged. O(area x cost of one place). Cancelled.
+/// pieces after 2 ha of smaller ones, stay unchanged.
+/// @param known  pieces that were looked at before, with this room; may be null
+/// O(area x cost of one place). Cancelled.
 Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRoom& room,
-                                   Length operatingWidth, const JobContext& job);
+                                   Length operatingWidth, const JobContext& job,
+                                   KnownPieces* known = nullptr);
 
 }  // namespace furrow

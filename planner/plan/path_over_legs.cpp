@@ -190,18 +190,22 @@ Result<Driven> PathOverLegs::driveAs(std::vector<Leg>& legs, const RefillTrips* 
     if (isLost()) {
         return std::unexpected(noBetter(*request.field));
     }
-    auto report = audit(auditInput({.request = request,
-                                    .margin = task_.ground->margin,
-                                    .overhung = task_.ground->overhung,
-                                    .headland = task_.headland,
-                                    .finishing = driven.finishing,
-                                    .mainland = task_.laid.mainland,
-                                    .swaths = task_.laid.swaths,
-                                    .route = task_.ordered.route,
-                                    .path = driven.path,
-                                    .leftOnPurpose = driven.leftOnPurpose,
-                                    .refill = trips}),
-                        job.part(0.6, 1.0));
+    const AuditInput input = auditInput({.request = request,
+                                         .margin = task_.ground->margin,
+                                         .overhung = task_.ground->overhung,
+                                         .headland = task_.headland,
+                                         .finishing = driven.finishing,
+                                         .mainland = task_.laid.mainland,
+                                         .swaths = task_.laid.swaths,
+                                         .route = task_.ordered.route,
+                                         .path = driven.path,
+                                         .leftOnPurpose = driven.leftOnPurpose,
+                                         .refill = trips});
+    const auto land = auditedLand(task_.lands, request, task_.ground, input, job.withoutProgress());
+    if (!land) {
+        return std::unexpected(land.error());
+    }
+    auto report = audit(input, **land, job.part(0.6, 1.0));
     if (!report) {
         return std::unexpected(report.error());
     }

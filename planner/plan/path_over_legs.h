@@ -3,6 +3,7 @@
 #include "planner/path/fitting_ways.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
+#include "planner/plan/audited_lands.h"
 #include "planner/plan/chosen_turns.h"
 #include "planner/plan/driving_room.h"
 #include "planner/plan/plan_to_beat.h"
@@ -21,6 +22,7 @@ struct DriveTask {
     const LaidSwaths& laid;
     const Ordered& ordered;
     DrivingRooms& rooms;  ///< of plans before
+    AuditedLands& lands;  ///< the same
 };
 
 /// Ways of a machine that is narrower with its implement folded for the road.

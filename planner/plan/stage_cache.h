@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/plan/audited_lands.h"
 #include "planner/plan/driving_room.h"
 #include "planner/plan/stage_memo.h"
 #include "planner/plan/stages.h"
@@ -60,6 +61,7 @@ struct StageCache {
     StageMemo<SwathInputs, RoundedSwaths> swaths;
     StageMemo<OrderInputs, Ordered> orders;
     DrivingRooms rooms;
+    AuditedLands lands;
     StageMemo<DriveInputs, Driven, 6> drives;  ///< megabytes each
 };
 

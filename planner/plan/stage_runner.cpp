@@ -149,7 +149,8 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
                                                              .headland = *laid->headland,
                                                              .laid = *laid->laid,
                                                              .ordered = **ordered,
-                                                             .rooms = cache_.rooms};
+                                                             .rooms = cache_.rooms,
+                                                             .lands = cache_.lands};
                                         auto made = driveStage(task, toBeat, job.part(0.4, 1.0));
                                         if (made) {
                                             add(&StageTimings::path, made->driving);
