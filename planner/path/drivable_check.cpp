@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <optional>
 #include <ranges>
@@ -269,13 +271,87 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
     return farthest;
 }
 
+/// Beyond this number of numbers all are forgotten: some megabytes.
+constexpr std::size_t kMostKept = 500'000;
+
+/// Results by what was driven, number by number.
+class KnownWays {
+public:
+    using Key = std::vector<double>;
+    using Found = std::optional<BlockedConnection>;
+
+    /// What was found before, or what `test` finds now. That of a stopped job is not kept.
+    template <class Test>
+    Found get(Key key, const Test& test, const JobContext& job) {
+        {
+            const std::scoped_lock lock{mutex_};
+            if (const auto known = known_.find(key); known != known_.end()) {
+                return known->second;
+            }
+        }
+        Found found = test();
+        if (!job.stopRequested()) {
+            add(std::move(key), found);
+        }
+        return found;
+    }
+
+private:
+    void add(Key key, const Found& found) {
+        const std::scoped_lock lock{mutex_};
+        if (kept_ + key.size() > kMostKept) {
+            known_.clear();
+            kept_ = 0;
+        }
+        kept_ += key.size();
+        known_.emplace(std::move(key), found);
+    }
+
+    std::mutex mutex_;
+    std::map<Key, Found> known_;
+    std::size_t kept_ = 0;
+};
+
+enum class Tested { Pass, Way, FoldedWay };
+
+/// All that a result follows from. A mounted implement has no angle of its own.
+KnownWays::Key keyOf(std::span<const RigState> states, Tested tested, bool lowered, bool hasTrailer) {
+    KnownWays::Key key;
+    key.reserve(2 + states.size() * (hasTrailer ? 4 : 3));
+    key.push_back(static_cast<double>(tested));
+    key.push_back(lowered ? 1.0 : 0.0);
+    for (const RigState& state : states) {
+        key.push_back(state.tractor.position.x);
+        key.push_back(state.tractor.position.y);
+        key.push_back(state.tractor.heading.si());
+        if (hasTrailer) {
+            key.push_back(state.implement.si());
+        }
+    }
+    return key;
+}
+
 }  // namespace
 
-Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const AllowedAreas& drivable,
-                                                          const Machine& machine, const JobContext& job) {
-    const AreasToCheck areas{drivable, machine.workingFootprintWidth() + machine.spec().tractor.length};
-    const Shapes shapes{machine, drivable.hasOverhang()};
-    const Shapes folded{machine.folded(), drivable.hasOverhang()};
+struct WayChecks::Impl {
+    AreasToCheck areas;
+    Shapes shapes;
+    Shapes folded;
+    KnownWays known;
+};
+
+WayChecks::WayChecks(const AllowedAreas& drivable, const Machine& machine)
+    : impl_{new Impl{
+          .areas = {drivable, machine.workingFootprintWidth() + machine.spec().tractor.length},
+          .shapes = {machine, drivable.hasOverhang()},
+          .folded = {machine.folded(), drivable.hasOverhang()},
+          .known = {},
+      }} {}
+
+WayChecks::~WayChecks() = default;
+
+Result<std::vector<BlockedConnection>> WayChecks::blocked(const Path& path, const JobContext& job) {
+    const Shapes& shapes = impl_->shapes;
     struct Connection {
         std::size_t segment;
         std::vector<RigState> states;
@@ -297,10 +373,18 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
         [&](std::size_t i) -> std::optional<BlockedConnection> {
             const auto& [index, states] = connections[i];
             const PathSegment& segment = path.segments[index];
-            auto found = segment.kind == SegmentKind::HeadlandPass
-                             ? farthestAlong(states, shapes, areas, job)
-                             : farthestOnWay(states, isDrivenFolded(path.segments, index) ? folded : shapes,
-                                             segment.implementDown, areas);
+            const Tested tested = segment.kind == SegmentKind::HeadlandPass ? Tested::Pass
+                                  : isDrivenFolded(path.segments, index)    ? Tested::FoldedWay
+                                                                            : Tested::Way;
+            auto found = impl_->known.get(
+                keyOf(states, tested, segment.implementDown, shapes.trailer.has_value()),
+                [&] {
+                    return tested == Tested::Pass
+                               ? farthestAlong(states, shapes, impl_->areas, job)
+                               : farthestOnWay(states, tested == Tested::FoldedWay ? impl_->folded : shapes,
+                                               segment.implementDown, impl_->areas);
+                },
+                job);
             if (found) {
                 found->segment = index;
             }
@@ -317,6 +401,11 @@ Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, cons
         }
     }
     return found;
+}
+
+Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const AllowedAreas& drivable,
+                                                          const Machine& machine, const JobContext& job) {
+    return WayChecks{drivable, machine}.blocked(path, job);
 }
 
 }  // namespace furrow

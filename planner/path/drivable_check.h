@@ -5,6 +5,9 @@
 #include "planner/machine/machine.h"
 #include "planner/path/path.h"
 
+#include <memory>
+#include <vector>
+
 namespace furrow {
 
 /// A connection that the machine cannot drive, found on the path.
@@ -15,11 +18,29 @@ struct BlockedConnection {
     Length outside;           ///< the distance outside there
 };
 
-/// Connections and headland passes whose tractor or implement leaves its area. For connections, the outline
-/// of tractor and raised implement (or folded) is tested at every sample, with the track of
-/// each of its corners. Passes are long: the outline with the implement down is tested every half metre.
-/// @param drivable  from allowedAreas
-/// Cost: about 20 microseconds for each sample of a connection. Cancelled.
+/// Tests paths of one machine in one area, and remembers the result for every way that the machine drove. A
+/// path that differs by a few ways costs only those. A result is the same whether it was tested before or
+/// not. May be used by several threads at once.
+class WayChecks {
+public:
+    /// @param drivable  from allowedAreas
+    WayChecks(const AllowedAreas& drivable, const Machine& machine);
+    ~WayChecks();
+    WayChecks(const WayChecks&) = delete;
+    WayChecks& operator=(const WayChecks&) = delete;
+
+    /// Connections and headland passes whose tractor or implement leaves its area. For connections, the
+    /// outline of tractor and raised implement (or folded) is tested at every sample, with the track of each
+    /// of its corners. Passes are long: the outline with the implement down is tested every half metre.
+    /// Cost: about 20 microseconds for each sample of a connection that is new. Cancelled.
+    Result<std::vector<BlockedConnection>> blocked(const Path& path, const JobContext& job);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The same for one path.
 Result<std::vector<BlockedConnection>> blockedConnections(const Path& path, const AllowedAreas& drivable,
                                                           const Machine& machine, const JobContext& job);
 

@@ -1,6 +1,5 @@
 #include "planner/plan/drive_findings.h"
 
-#include "planner/path/drivable_check.h"
 #include "planner/path/driven_parts.h"
 #include "planner/path/folded_stretches.h"
 #include "planner/plan/method_registry.h"
@@ -65,10 +64,10 @@ Message blockedReason(const BlockedConnection& blocked) {
 
 }  // namespace
 
-Result<std::vector<Finding>> checkWays(Path& path, const AllowedAreas& drivable, const Machine& machine,
-                                       const JobContext& job) {
+Result<std::vector<Finding>> checkWays(Path& path, WayChecks& checks, const AllowedAreas& drivable,
+                                       const Machine& machine, const JobContext& job) {
     std::vector<Finding> findings;
-    const auto blocked = blockedConnections(path, drivable, machine, job);
+    const auto blocked = checks.blocked(path, job);
     if (!blocked) {
         return std::unexpected(blocked.error());
     }

@@ -2,6 +2,7 @@
 
 #include "planner/audit/audit.h"
 #include "planner/field/allowed_areas.h"
+#include "planner/path/drivable_check.h"
 #include "planner/path/finding.h"
 #include "planner/path/path.h"
 #include "planner/plan/plan_request.h"
@@ -12,8 +13,8 @@ namespace furrow {
 
 /// Marks the segments on which the machine leaves the area where it may be. Returns one finding for each way,
 /// at its worst place. Cancelled.
-Result<std::vector<Finding>> checkWays(Path& path, const AllowedAreas& drivable, const Machine& machine,
-                                       const JobContext& job);
+Result<std::vector<Finding>> checkWays(Path& path, WayChecks& checks, const AllowedAreas& drivable,
+                                       const Machine& machine, const JobContext& job);
 
 /// A note for each stretch that is driven with the implement folded between two pieces of work.
 std::vector<Finding> foldedWays(const Path& path);

@@ -100,7 +100,7 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
     }
     const ChosenTurns chosen{settings, task.laid.swaths, task.ordered.cells, *fitting};
     gates = addGateWays(legs, places, field, Rig{open, machine.folded()});
-    const PathOverLegs path{task, ground, room->steering, ways, narrower, chosen, *leftOnPurpose};
+    const PathOverLegs path{task, ground, *room, ways, narrower, chosen, *leftOnPurpose};
     const double working = refills.empty() ? 1.0 : kWithoutTrips;
     auto driven = path.drive(legs, {}, toBeat, job.part(0.0, 0.8 * working));
     if (driven) {

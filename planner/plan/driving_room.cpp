@@ -24,7 +24,8 @@ Result<std::shared_ptr<const DrivingRoom>> drivingRoom(DrivingRooms& known, cons
             machine.spec().implement.transportWidth
                 ? std::make_shared<WaySearches>(given.forWays, machine.folded(), *std::move(travel))
                 : raised;
-        return DrivingRoom{raised, folded, SteeringRoom{given.forWays, machine}};
+        return DrivingRoom{raised, folded, SteeringRoom{given.forWays, machine},
+                           std::make_shared<WayChecks>(given.forWays, machine)};
     };
     // What settings decide is among the inputs.
     PlanRequest plain = request;

@@ -26,7 +26,7 @@ constexpr double kEasedShare = 0.995;
 
 }  // namespace
 
-PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const SteeringRoom& room,
+PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const DrivingRoom& room,
                            RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                            const MultiPolygon& leftOnPurpose)
     : task_{task},
@@ -35,7 +35,8 @@ PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, co
       folding_{folding},
       chosen_{chosen},
       leftOnPurpose_{leftOnPurpose},
-      room_{room} {}
+      room_{room.steering},
+      checks_{*room.checks} {}
 
 std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const JobContext& job) const {
     // A way that may leave the field keeps its kind but where it leads through an obstacle.
@@ -108,7 +109,7 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
                                                    const JobContext& job) const {
     std::vector<Finding> findings;
     if (task_.request.settings.flag(kStayInside)) {
-        auto checked = checkWays(path, ground_, task_.request.machine, job);
+        auto checked = checkWays(path, checks_, ground_, task_.request.machine, job);
         if (!checked) {
             return checked;
         }

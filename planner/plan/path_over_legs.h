@@ -35,10 +35,10 @@ struct FoldingWays {
 class PathOverLegs {
 public:
     /// @param ground         the area for ways, gates open
-    /// @param room           for easing
+    /// @param room           of that area
     /// @param folding        taken where no raised way leads; null for machines that are no narrower folded
     /// @param leftOnPurpose  for the audit
-    PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const SteeringRoom& room,
+    PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const DrivingRoom& room,
                  RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                  const MultiPolygon& leftOnPurpose);
 
@@ -82,6 +82,7 @@ private:
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
     const SteeringRoom& room_;
+    WayChecks& checks_;
 };
 
 /// The kind of turn for all other ways. It is the chosen kind only if the machine may leave the field.

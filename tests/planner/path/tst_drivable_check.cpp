@@ -192,6 +192,28 @@ private slots:
         QVERIFY(one->front().place == many->front().place && one->front().outside == many->front().outside);
     }
 
+    // What was tested before is not tested again, and told of the segment that it is now.
+    void testsAreRemembered() {
+        const Field field = fieldWith(12.0);
+        const auto drivable = drivableArea(field, {}, {});
+        VERIFY_RESULT(drivable);
+        WayChecks checks{*drivable, smallMachine()};
+        const Path path = uTurn(kDubinsMethod.run);
+        Path longer = path;
+        longer.segments.insert(longer.segments.begin(), path.segments.front());
+        for (const Path& each : {path, path, longer}) {
+            const auto afresh = blockedConnections(each, *drivable, smallMachine(), {});
+            const auto found = checks.blocked(each, {});
+            VERIFY_RESULT(afresh);
+            VERIFY_RESULT(found);
+            QCOMPARE(found->size(), std::size_t{1});
+            QCOMPARE(found->front().segment, afresh->front().segment);
+            QCOMPARE(found->front().segment, each.segments.size() - 2);
+            QVERIFY(found->front().place == afresh->front().place &&
+                    found->front().outside == afresh->front().outside);
+        }
+    }
+
     void aStoppedJobIsCancelled() {
         std::stop_source stop;
         stop.request_stop();
