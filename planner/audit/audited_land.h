@@ -37,8 +37,8 @@ struct AuditedLand {
     std::optional<WorkingRoom> room;         ///< within the margin, of a machine with a mounted implement
     /// Pieces of missed land that were looked at before: without hairs, and their parts with room. The
     /// answers are the same without.
-    std::shared_ptr<KnownPieces> withoutHairs = std::make_shared<KnownPieces>();
-    std::shared_ptr<KnownPieces> withRoom = std::make_shared<KnownPieces>();
+    std::shared_ptr<KnownPieces> withoutHairs = std::make_shared<KnownPieces>(kMostPieces);
+    std::shared_ptr<KnownPieces> withRoom = std::make_shared<KnownPieces>(kMostPieces);
 };
 
 /// Cost: two offsets of the field, and two sorted lists of its edges. Cancelled.

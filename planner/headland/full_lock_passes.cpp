@@ -2,6 +2,7 @@
 
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/polygon_memo.h"
 #include "planner/geometry/segment.h"
 #include "planner/units/angle.h"
 
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -54,6 +57,8 @@ constexpr double kSameWay = 0.92;
 constexpr std::size_t kExitSteps = 4;
 // Swept land is built from pieces of this length.
 constexpr double kSweptM = 0.75;
+// Each takes some hundred kilobytes.
+constexpr std::size_t kMostPieces = 100;
 
 std::vector<Point> placesIn(const Polygon& piece) {
     const Bounds box = bounds({piece});
@@ -84,17 +89,20 @@ void addSwept(const WorkingLine& from, const WorkingLine& to, MultiPolygon& swep
 
 }  // namespace
 
-FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access)
+FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access,
+                               std::shared_ptr<FullLockTrials> trials)
     : lowered_{&lowered},
       access_{std::move(access)},
       trailer_{Trailer::of(lowered.machine())},
       look_{trailer_ ? std::min(kLook, trailer_->longestStep()) : kLook},
       bends_{FullLockBend{lowered, 1.0, kMostRounds, look_}, FullLockBend{lowered, -1.0, kMostRounds, look_}},
-      radiusM_{lowered.machine().minTurningRadius().si()} {}
+      radiusM_{lowered.machine().minTurningRadius().si()},
+      trials_{trials != nullptr ? std::move(trials) : std::make_shared<FullLockTrials>()} {}
 
 Result<FullLockPasses> FullLockPasses::of(const AllowedAreas& areas, const Rig& lowered,
-                                          PassAccessFinder access, const JobContext& job) {
-    FullLockPasses passes{lowered, std::move(access)};
+                                          PassAccessFinder access, const JobContext& job,
+                                          std::shared_ptr<FullLockTrials> trials) {
+    FullLockPasses passes{lowered, std::move(access), std::move(trials)};
     double implementM = passes.radiusM_;
     if (const auto& trailer = passes.trailer_) {
         passes.straightM_ = trailer->trailingM;
@@ -174,21 +182,51 @@ private:
 
 }  // namespace
 
+/// A bend whose room is not yet looked at.
+struct FullLockPasses::Bend {
+    std::size_t side = 0;  ///< of those that are driven once
+    Point around;
+    Angle begin;
+    std::size_t worked = 0;  ///< places of the piece that it passes over
+    std::size_t index = 0;   ///< among the bends of its piece
+    double mostM2 = 0.0;     ///< that it gains
+};
+
+/// What follows from a piece, the area and the machine, and not from the ways to a pass.
+struct FullLockPasses::Piece {
+    std::vector<Point> places;
+    Point mean;
+    std::vector<Bend> bends;
+
+    /// The part of a bend that has room, of those that gain more than this.
+    struct Fitted {
+        double leastM2 = 0.0;
+        std::optional<Candidate> candidate;
+    };
+    std::mutex mutex;
+    std::map<std::pair<std::size_t, double>, Fitted> fitted;  ///< by bend and lead; under the mutex
+};
+
+struct FullLockTrials::Known {
+    PolygonMemo<std::shared_ptr<FullLockPasses::Piece>> pieces{kMostPieces};
+};
+
+FullLockTrials::FullLockTrials() : known_{std::make_unique<Known>()} {}
+
+FullLockTrials::~FullLockTrials() = default;
+
 /// Drives bends over one piece.
 class FullLockPasses::Trial {
 public:
-    Trial(const FullLockPasses& passes, const Polygon& piece)
+    Trial(const FullLockPasses& passes, const Polygon& outline, Piece& piece)
         : passes_{passes},
           lowered_{*passes.lowered_},
-          places_{placesIn(piece)},
-          areaEachM2_{area(piece).si() / static_cast<double>(std::max<std::size_t>(1, places_.size()))},
+          piece_{piece},
+          places_{piece.places},
+          areaEachM2_{area(outline).si() / static_cast<double>(std::max<std::size_t>(1, places_.size()))},
           widthM_{lowered_.machine().operatingWidth().si()},
           swings_{1.0 +
-                  (passes.trailer_ ? widthM_ / passes.trailer_->trailingM : widthM_ / passes.radiusM_)} {
-        for (const Point& place : places_) {
-            mean_ = mean_ + (1.0 / static_cast<double>(places_.size())) * place;
-        }
-    }
+                  (passes.trailer_ ? widthM_ / passes.trailer_->trailingM : widthM_ / passes.radiusM_)} {}
 
     bool works(std::size_t worked, double share) const {
         return static_cast<double>(worked) >= share * static_cast<double>(places_.size());
@@ -205,7 +243,7 @@ public:
             }
         };
         if (!places_.empty()) {
-            add(mean_);
+            add(piece_.mean);
             for (std::size_t i = 0; i < kGuides; ++i) {
                 add(places_[i * (places_.size() - 1) / (kGuides - 1)]);
             }
@@ -213,21 +251,12 @@ public:
         return found;
     }
 
-    /// A bend whose room is not yet looked at.
-    struct Bend {
-        std::size_t side = 0;  ///< of those that are driven once
-        Point around;
-        Angle begin;
-        std::size_t worked = 0;  ///< places of the piece that it passes over
-        double mostM2 = 0.0;     ///< that it gains
-    };
-
     /// Bends round middles and round places farther inwards that pass over the piece.
     std::vector<Bend> bendsAround(std::span<const Point> middles) const {
         std::vector<Bend> bends;
         for (const Point& middle : middles) {
-            const double awayM = distance(middle, mean_);
-            const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - mean_) : Point{};
+            const double awayM = distance(middle, piece_.mean);
+            const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - piece_.mean) : Point{};
             for (const double inwardsM : kInwardsM) {
                 const Point around = middle + inwardsM * inwards;
                 for (int i = 0; i < 2 * kBegins; ++i) {
@@ -237,8 +266,9 @@ public:
                     if (std::abs(ahead.si()) <= kLeastBeforeRad) {
                         continue;
                     }
-                    Bend bend{static_cast<std::size_t>(i % 2), around, begin};
+                    Bend bend{.side = static_cast<std::size_t>(i % 2), .around = around, .begin = begin};
                     bend.worked = placesUnder(bend);
+                    bend.index = bends.size();
                     if (bend.worked > 0) {
                         bends.push_back(bend);
                     }
@@ -251,8 +281,8 @@ public:
     /// The bend with the largest gain that has room, and a way in and out, after a straight of `leadM`. A
     /// bend gains no more than the places that it passes over are worth, so the room of others is not looked
     /// at.
-    std::optional<Candidate> best(std::vector<Bend> bends, double leadM, AskedAccess access,
-                                  const JobContext& job) const {
+    std::optional<Candidate> best(double leadM, AskedAccess access, const JobContext& job) const {
+        std::vector<Bend> bends = piece_.bends;
         for (Bend& bend : bends) {
             bend.mostM2 = gainM2(bend.worked, leadM + kLengthsOut * passes_.straightM_);
         }
@@ -279,7 +309,7 @@ public:
             if (!isMore) {
                 break;
             }
-            if (auto candidate = fitted(*next, leadM, leastM2)) {
+            if (auto candidate = knownFitted(*next, leadM, leastM2)) {
                 leastM2 = std::max(leastM2, kWorthAsking * candidate->gainM2);
                 fitting.push_back(*std::move(candidate));
                 std::ranges::push_heap(fitting, less);
@@ -318,6 +348,26 @@ private:
         forEachPlaceUnder(bend, [&](std::size_t state) { states.push_back(state); });
         std::ranges::sort(states);
         return states;
+    }
+
+    /// The same as `fitted`, whether it was worked out before or not. Only whether a part gains enough
+    /// follows from `leastM2`, never which part it is.
+    std::optional<Candidate> knownFitted(const Bend& trial, double leadM, double leastM2) const {
+        const std::pair key{trial.index, leadM};
+        {
+            const std::scoped_lock lock{piece_.mutex};
+            const auto known = piece_.fitted.find(key);
+            if (known != piece_.fitted.end() && known->second.candidate) {
+                return known->second.candidate->gainM2 > leastM2 ? known->second.candidate : std::nullopt;
+            }
+            if (known != piece_.fitted.end() && leastM2 >= known->second.leastM2) {
+                return std::nullopt;
+            }
+        }
+        std::optional<Candidate> found = fitted(trial, leadM, leastM2);
+        const std::scoped_lock lock{piece_.mutex};
+        piece_.fitted.insert_or_assign(key, Piece::Fitted{leastM2, found});
+        return found;
     }
 
     /// The part of a bend that has room. Empty without one that gains more than `leastM2`.
@@ -394,12 +444,28 @@ private:
 
     const FullLockPasses& passes_;
     const Rig& lowered_;
-    std::vector<Point> places_;
-    Point mean_;
+    Piece& piece_;
+    const std::vector<Point>& places_;
     double areaEachM2_;
     double widthM_;
     double swings_;  ///< largest move of any point for one metre of way
 };
+
+/// What is known of a piece: its places and the bends over it, at least.
+std::shared_ptr<FullLockPasses::Piece> FullLockPasses::tried(const Polygon& piece) const {
+    if (auto known = trials_->known_->pieces.find(piece)) {
+        return *std::move(known);
+    }
+    const auto made = std::make_shared<Piece>();
+    made->places = placesIn(piece);
+    for (const Point& place : made->places) {
+        made->mean = made->mean + (1.0 / static_cast<double>(made->places.size())) * place;
+    }
+    const Trial trial{*this, piece, *made};
+    made->bends = trial.bendsAround(trial.middles());
+    trials_->known_->pieces.add(piece, made);
+    return made;
+}
 
 std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
                                              const std::function<bool(const Curve&)>& isRefused,
@@ -411,13 +477,13 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
         return isRefused(line) ? PassAccess::NoWayIn : access_(line);
     };
     const Machine& machine = lowered_->machine();
-    const Trial trial{*this, piece};
-    const auto bends = trial.bendsAround(trial.middles());
+    const std::shared_ptr<Piece> known = tried(piece);
+    const Trial trial{*this, piece, *known};
     const AskedAccess asked{access, failed_, kCloseShare * machine.operatingWidth().si()};
     std::optional<Candidate> best;
     for (const double lengths : kLengthsIn) {
         const double leadM = std::max(lengths * straightM_, machine.runIn().si());
-        auto found = trial.best(bends, leadM, asked, job);
+        auto found = trial.best(leadM, asked, job);
         if (found && (!best || found->gainM2 > best->gainM2)) {
             best = std::move(found);
         }

@@ -25,7 +25,8 @@ Result<std::shared_ptr<const DrivingRoom>> drivingRoom(DrivingRooms& known, cons
                 ? std::make_shared<WaySearches>(given.forWays, machine.folded(), *std::move(travel))
                 : raised;
         return DrivingRoom{raised, folded, SteeringRoom{given.forWays, machine},
-                           std::make_shared<WayChecks>(given.forWays, machine)};
+                           std::make_shared<WayChecks>(given.forWays, machine),
+                           std::make_shared<FullLockTrials>()};
     };
     // What settings decide is among the inputs.
     PlanRequest plain = request;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/headland/full_lock_passes.h"
 #include "planner/path/drivable_check.h"
 #include "planner/path/fitting_ways.h"
 #include "planner/path/steerable_legs.h"
@@ -22,13 +23,15 @@ struct DrivingRoomInputs {
     friend bool operator==(const DrivingRoomInputs&, const DrivingRoomInputs&) = default;
 };
 
-/// The area in which a machine drives, with the ways that were searched, the lines that were eased and the
-/// ways that were tested in it. Plans that differ by headings, order or corners share them. Thread-safe.
+/// The area in which a machine drives, with the ways that were searched, the lines that were eased, the ways
+/// that were tested and the bends that were tried in it. Plans that differ by headings, order or corners
+/// share them. Thread-safe.
 struct DrivingRoom {
     std::shared_ptr<WaySearches> raised;
     std::shared_ptr<WaySearches> folded;  ///< the same as `raised` for machines that do not fold
     SteeringRoom steering;
     std::shared_ptr<WayChecks> checks;
+    std::shared_ptr<FullLockTrials> bends;
 };
 
 using DrivingRooms = StageMemo<DrivingRoomInputs, DrivingRoom, 4>;

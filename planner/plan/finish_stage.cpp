@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <ranges>
 #include <utility>
@@ -77,6 +78,7 @@ PassPlace placeBetween(const Curve& line, const std::vector<Leg>& legs, Remember
 Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered,
                                                      const std::vector<Leg>& legs, RememberedWays& ways,
                                                      FoldingWays* folding, const AllowedAreas& ground,
+                                                     const std::shared_ptr<FullLockTrials>& trials,
                                                      const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (canReverse(machine) || machine.spec().tractor.canTurnInPlace) {
@@ -87,7 +89,7 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
                [&legs, &ways, folding, job](const Curve& line) {
                    return placeBetween(line, legs, ways, folding, job).access;
                },
-               job)
+               job, trials)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
 }
 
@@ -109,7 +111,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     const Duration before = timeOf(driven);
     const Area left = driven.audit.left;
     const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
-    auto bends = fullLockPasses(task, lowered, legs, ways, folding, ground, job);
+    auto bends = fullLockPasses(task, lowered, legs, ways, folding, ground, path.room().bends, job);
     if (!bends) {
         return std::unexpected(bends.error());
     }

@@ -35,8 +35,7 @@ PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, co
       folding_{folding},
       chosen_{chosen},
       leftOnPurpose_{leftOnPurpose},
-      room_{room.steering},
-      checks_{*room.checks} {}
+      room_{room} {}
 
 std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const JobContext& job) const {
     // A way that may leave the field keeps its kind but where it leads through an obstacle.
@@ -75,7 +74,7 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
     if (!parts) {
         return std::unexpected(parts.error());
     }
-    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, room_.lowered, *parts, job);
+    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, room_.steering.lowered, *parts, job);
     if (folding_ == nullptr) {
         return legs;
     }
@@ -84,7 +83,7 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
     if (!foldedParts) {
         return std::unexpected(foldedParts.error());
     }
-    return withWaysBetween(std::move(legs), folding_->either, room_.lowered, *foldedParts, job);
+    return withWaysBetween(std::move(legs), folding_->either, room_.steering.lowered, *foldedParts, job);
 }
 
 Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, bool mayReorder,
@@ -109,7 +108,7 @@ Result<std::vector<Finding>> PathOverLegs::foundIn(Path& path, const std::vector
                                                    const JobContext& job) const {
     std::vector<Finding> findings;
     if (task_.request.settings.flag(kStayInside)) {
-        auto checked = checkWays(path, checks_, ground_, task_.request.machine, job);
+        auto checked = checkWays(path, *room_.checks, ground_, task_.request.machine, job);
         if (!checked) {
             return checked;
         }
@@ -153,12 +152,11 @@ Result<Driven> PathOverLegs::driveAs(std::vector<Leg>& legs, const RefillTrips* 
     }
     // What may leave the field in a draft is not eased within it, either.
     const bool isSketch = request.draft && !request.settings.flag(kStayInside);
-    auto path =
-        isSketch
-            ? Result<Path>{withSpeeds(*all, request.machine, SteeringLimit::Ignored)}
-            : steerableLegs(*all, room_, job.withoutProgress()).transform([&](const std::vector<Leg>& eased) {
-                  return withSpeeds(eased, request.machine);
-              });
+    auto path = isSketch ? Result<Path>{withSpeeds(*all, request.machine, SteeringLimit::Ignored)}
+                         : steerableLegs(*all, room_.steering, job.withoutProgress())
+                               .transform([&](const std::vector<Leg>& eased) {
+                                   return withSpeeds(eased, request.machine);
+                               });
     if (!path) {
         return std::unexpected(path.error());
     }

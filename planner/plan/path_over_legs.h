@@ -42,6 +42,9 @@ public:
                  RememberedWays& ways, FoldingWays* folding, const ChosenTurns& chosen,
                  const MultiPolygon& leftOnPurpose);
 
+    /// In which the paths are driven.
+    const DrivingRoom& room() const { return room_; }
+
     /// The path over these legs with its findings and audit. If no way leads from one leg to the next, the
     /// legs get another order. Where none leads then, the implement is folded.
     ///
@@ -81,8 +84,7 @@ private:
     FoldingWays* folding_;
     const ChosenTurns& chosen_;
     const MultiPolygon& leftOnPurpose_;
-    const SteeringRoom& room_;
-    WayChecks& checks_;
+    const DrivingRoom& room_;
 };
 
 /// The kind of turn for all other ways. It is the chosen kind only if the machine may leave the field.

@@ -117,6 +117,31 @@ private slots:
         QVERIFY(!passes.over(leftBeyondArc(angle, kRoundedM).front(), kNoneRefused, {}));
     }
 
+    /// Bends that were tried before are the same bends, whatever the ways were then.
+    void trialsAreRemembered() {
+        const double angle = std::numbers::pi / 6.0;
+        const MultiPolygon tip = tipOf(angle);
+        const Polygon piece = leftBeyondArc(angle, kRoundedM).front();
+        const Rig lowered{tip, sprayer(), ImplementAt::Lowered};
+        const auto trials = std::make_shared<FullLockTrials>();
+        std::size_t most = 0;
+        for (const std::size_t refused : {2, 0, 5, 0}) {
+            const auto isRefused = [refused, asked = std::size_t{0}](const Curve&) mutable {
+                return asked++ < refused;
+            };
+            auto alone = FullLockPasses::of(tip, lowered, kThere, {}).value();
+            auto shared = FullLockPasses::of(tip, lowered, kThere, {}, trials).value();
+            const auto expected = alone.over(piece, isRefused, {});
+            const auto found = shared.over(piece, isRefused, {});
+            QCOMPARE(found.has_value(), expected.has_value());
+            if (found) {
+                QVERIFY(found->line == expected->line && found->worked == expected->worked);
+                ++most;
+            }
+        }
+        QVERIFY(most >= 2);
+    }
+
     /// Another pass where the best has no way in or out, few looked for, and none where there is none at all.
     void onlyWithAWayInAndOut() {
         const double angle = std::numbers::pi / 3.0;
