@@ -2,6 +2,8 @@
 
 #include "planner/audit/audited_land.h"
 #include "planner/audit/findings.h"
+#include "planner/jobs/parallel.h"
+#include "planner/jobs/shared_progress.h"
 
 #include <algorithm>
 
@@ -55,32 +57,44 @@ Result<AuditReport> audit(const AuditInput& input, const AuditedLand& land, cons
     if (!motions) {
         return std::unexpected(motions.error());
     }
-    const auto swept = measureSweptArea(input, land, shape, *motions, job.part(0.1, 0.6));
-    if (!swept) {
-        return std::unexpected(swept.error());
+    // Areas and clearance follow from the motions, and not from each other.
+    std::optional<Result<SweptArea>> swept;
+    std::optional<Result<ClearanceReport>> clearance;
+    const std::size_t measures = input.machine ? 2 : 1;
+    SharedProgress progress{measures, job.part(0.1, 0.9)};
+    const auto measured = parallelFor(
+        measures,
+        [&](std::size_t i) {
+            if (i == 0) {
+                swept = measureSweptArea(input, land, shape, *motions, progress.piece(i));
+            } else {
+                clearance = measureClearance(input, *land.clearance, *motions, progress.piece(i));
+            }
+            progress.finish(i);
+        },
+        job.withoutProgress());
+    if (!measured) {
+        return std::unexpected(measured.error());
     }
-    job.report(0.6);
-    std::optional<ClearanceReport> clearance;
-    if (input.machine) {
-        auto measured = measureClearance(input, *land.clearance, *motions, job.part(0.6, 0.9));
-        if (!measured) {
-            return std::unexpected(measured.error());
-        }
-        clearance = std::move(*measured);
+    if (!*swept) {
+        return std::unexpected(swept->error());
+    }
+    if (clearance && !*clearance) {
+        return std::unexpected(clearance->error());
     }
     const Kinematics kinematics = measureKinematics(input);
-    const auto traffic = measureTraffic(input, *motions, swept->pieces, mainDirection(*motions), job);
+    const auto traffic = measureTraffic(input, *motions, (*swept)->pieces, mainDirection(*motions), job);
     if (!traffic) {
         return std::unexpected(traffic.error());
     }
 
     AuditReport report{.workable = area(input.workable)};
-    addAreas(report, *swept);
+    addAreas(report, **swept);
     if (clearance) {
-        report.outside = clearance->outside;
-        report.minClearance = clearance->smallest;
-        report.overhangArea = clearance->overhangArea;
-        report.overhang = clearance->overhang;
+        report.outside = (*clearance)->outside;
+        report.minClearance = (*clearance)->smallest;
+        report.overhangArea = (*clearance)->overhangArea;
+        report.overhang = (*clearance)->overhang;
     }
     addKinematics(report, kinematics, input.statedMotion);
     if (shape.trailingM) {
@@ -91,12 +105,12 @@ Result<AuditReport> audit(const AuditInput& input, const AuditedLand& land, cons
         report.maxHitchAngle = radians(angle);
     }
     addTraffic(report, *traffic);
-    report.areaError = swept->error;
+    report.areaError = (*swept)->error;
     report.distanceError = metres(kChordErrorM) + input.positionRounding;
     report.findings = findingsOf(input, {.motions = *motions,
                                          .shape = shape,
-                                         .area = *swept,
-                                         .clearance = clearance ? &*clearance : nullptr,
+                                         .area = **swept,
+                                         .clearance = clearance ? &**clearance : nullptr,
                                          .kinematics = kinematics,
                                          .traffic = *traffic,
                                          .tank = measureTank(input)});
