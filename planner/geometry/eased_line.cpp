@@ -367,11 +367,12 @@ private:
 
     static void changesOf(std::span<EasedPiece> pieces, const Pose& end, std::vector<Change>& changes) {
         changes.clear();
-        const auto addCurvature = [&](const Eigen::Vector3d& moves, Curvature* before, Curvature* after,
+        // Most of the cost is that of movements, and straight places need none.
+        const auto addCurvature = [&](const auto& moves, Curvature* before, Curvature* after,
                                       double lengthM) {
             const double curvature = (before != nullptr ? before : after)->si();
             if (std::abs(curvature) > kNoCurvature) {
-                changes.push_back({.moves = moves,
+                changes.push_back({.moves = moves(),
                                    .weight = kCurvatureWeight * curvature * curvature / lengthM,
                                    .end = before,
                                    .begin = after});
@@ -392,12 +393,13 @@ private:
             }
             EasedPiece& after = pieces[i + 1];
             const Pose afterEnds = i + 2 < pieces.size() ? pieces[i + 2].start : end;
-            const Eigen::Vector3d here = movement(pieces[i], ends, end, byEnd);
-            const Eigen::Vector3d there = movement(after, afterEnds, end, byBegin);
+            const auto here = [&] { return movement(pieces[i], ends, end, byEnd); };
+            const auto there = [&] { return movement(after, afterEnds, end, byBegin); };
             const double lengthM = piece.length.si();
             const double nextM = after.piece.length.si();
             if (after.piece.curvature == piece.endCurvature) {
-                addCurvature(here + there, &piece.endCurvature, &after.piece.curvature, lengthM + nextM);
+                const auto both = [&] { return Eigen::Vector3d{here() + there()}; };
+                addCurvature(both, &piece.endCurvature, &after.piece.curvature, lengthM + nextM);
             } else {
                 addCurvature(here, &piece.endCurvature, nullptr, lengthM);
                 addCurvature(there, nullptr, &after.piece.curvature, nextM);
