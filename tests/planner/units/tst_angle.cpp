@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace furrow;
 
@@ -66,6 +67,24 @@ private slots:
         const double bearing = lineBearingDeg(radians(givenRad));
         QVERIFY(bearing >= 0.0);
         QVERIFY(bearing < 180.0);
+    }
+
+    // fmod and remainder of the library are exact; shorter ways to them must give the same, to the last bit.
+    void wrappingIsExact() {
+        constexpr double kTurn = 2.0 * std::numbers::pi;
+        std::mt19937_64 random{5};
+        for (const double range : {1e-9, 1.0, 4.0, 8.0, 20.0, 1e4}) {
+            std::uniform_real_distribution<double> some{-range, range};
+            for (int i = 0; i < 2000; ++i) {
+                const double given = some(random);
+                double expected = std::fmod(given, kTurn);
+                expected = expected < 0.0 ? expected + kTurn : expected;
+                QCOMPARE(normalisedPoseHeading(radians(given)).si() == expected || expected == kTurn, true);
+                QCOMPARE(wrappedAngle(radians(given)).si() == std::remainder(given, kTurn), true);
+            }
+        }
+        QCOMPARE(wrappedAngle(radians(std::numbers::pi)).si(), std::remainder(std::numbers::pi, kTurn));
+        QCOMPARE(normalisedPoseHeading(radians(kTurn)).si(), 0.0);
     }
 
     void differenceIsTheShortWayRound_data() {
