@@ -1,6 +1,7 @@
 #include "planner/geometry/geos_bridge.h"
 
 #include "planner/geometry/geos_shapes.h"
+#include "planner/geometry/thin_tips.h"
 
 #include <geos_c.h>
 
@@ -19,6 +20,17 @@ namespace {
 constexpr std::size_t kDenseVertices = 20'000;
 constexpr double kLeastSlackM = 0.01;
 constexpr double kMostSlackM = 0.05;
+// A polygon of more vertices is moved inwards in steps, each twice as long as the one before. Offsets of
+// spikes that stand closer than the distance would cross each other with the square of their number; a step
+// rounds off those that are narrower than itself, and few are left to cross in the next one.
+constexpr std::size_t kManyVertices = 2'000;
+// Of the tips of spikes that are cut off before: at this share of the distance, and width, by a millimetre
+// too far.
+constexpr double kThinTipM = 0.2;
+constexpr double kThinTipShare = 0.05;
+// Distance by which the outline after a step may be thinned, as a share of the step.
+constexpr double kStepSlackShare = 0.01;
+constexpr double kLeastStepSlackM = 1e-3;
 
 /// The number of segments in a quarter circle with which the arc's chords stay within the tolerance.
 int quarterSegments(double radiusM, double toleranceM) {
@@ -43,6 +55,59 @@ Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double tol
                                        quarterSegments(std::abs(distanceM), toleranceM));
                })
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
+}
+
+/// A line within the slack of the boundary. It may cross itself where that is narrower.
+Result<MultiPolygon> thinned(const MultiPolygon& polygons, double slackM, const JobContext& job) {
+    const Geometry input = toGeos(polygons);
+    return run(job, [&] { return GEOSSimplify_r(handle(), input.get(), slackM); })
+        .transform([](const Geometry& result) { return fromGeos(result.get()); });
+}
+
+/// Moved inwards until few vertices are left, then all the rest of the way. What thinning may add is taken
+/// off again: the result lies within that of one step.
+Result<MultiPolygon> erodedInSteps(const Polygon& polygon, double distanceM, double toleranceM,
+                                   const JobContext& job) {
+    // No disc of the distance gets into these.
+    MultiPolygon left{withoutThinTips(polygon, metres(std::min(kThinTipM, kThinTipShare * distanceM)))};
+    // As far as the vertices are apart if all lie around the polygon.
+    const Bounds box = bounds(left);
+    double stepM = (box.width() + box.height()) / static_cast<double>(vertexCount(left));
+    while (vertexCount(left) > kManyVertices && stepM < distanceM) {
+        const double slackM = std::clamp(kStepSlackShare * stepM, kLeastStepSlackM, kLeastSlackM);
+        auto moved = buffered(left, -stepM, toleranceM, job).and_then([&](const MultiPolygon& inner) {
+            return thinned(inner, slackM, job);
+        });
+        if (!moved) {
+            return moved;
+        }
+        left = *std::move(moved);
+        distanceM -= stepM - slackM;
+        stepM *= 2.0;
+    }
+    return buffered(left, -distanceM, toleranceM, job);
+}
+
+/// Each polygon as suits its number of vertices. They are apart, so that none matters to another.
+Result<MultiPolygon> erodedEach(const MultiPolygon& polygons, double distanceM, double toleranceM,
+                                const JobContext& job) {
+    const auto isMany = [](const Polygon& polygon) { return vertexCount({polygon}) > kManyVertices; };
+    if (std::ranges::none_of(polygons, isMany)) {
+        return buffered(polygons, -distanceM, toleranceM, job);
+    }
+    MultiPolygon few;
+    std::ranges::remove_copy_if(polygons, std::back_inserter(few), isMany);
+    auto all = buffered(few, -distanceM, toleranceM, job);
+    for (const Polygon& polygon : polygons) {
+        if (all && isMany(polygon)) {
+            auto one = erodedInSteps(polygon, distanceM, toleranceM, job);
+            if (!one) {
+                return one;
+            }
+            std::ranges::move(*one, std::back_inserter(*all));
+        }
+    }
+    return all;
 }
 
 /// Polygons with the same enclosed area as these rings, even-odd.
@@ -87,7 +152,9 @@ Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, 
     if (polygons.empty()) {
         return MultiPolygon{};
     }
-    if (vertexCount(polygons) > kDenseVertices) {
+    if (std::ranges::any_of(polygons,
+                            [](const Polygon& each) { return vertexCount({each}) > kManyVertices; }) ||
+        vertexCount(polygons) > kDenseVertices) {
         return eroded(polygons, distance, kArcTolerance, job);
     }
     const Geometry input = toGeos(polygons);
@@ -102,23 +169,20 @@ Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, 
 Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
                             const JobContext& job) {
     if (vertexCount(polygons) <= kDenseVertices) {
-        return buffered(polygons, -distance.si(), tolerance.si(), job);
+        return erodedEach(polygons, distance.si(), tolerance.si(), job);
     }
     // If points are closer than the offset by orders of magnitude, their offsets cross each other a hundred
     // million times. A line within `slack` of the boundary, moved in by that much more, is a safe
     // replacement.
     double slackM = std::clamp(distance.si() / 200.0, kLeastSlackM, kMostSlackM);
-    const Geometry input = toGeos(polygons);
     while (true) {
-        const auto simple = run(job, [&] { return GEOSSimplify_r(handle(), input.get(), slackM); });
+        const auto simple = thinned(polygons, slackM, job);
         if (!simple) {
             return std::unexpected(simple.error());
         }
-        const MultiPolygon thinned = fromGeos(simple->get());
-        // Points that scatter by more than the slack stay. GEOS would take seconds for them, and no stop
-        // request ends these.
-        if (vertexCount(thinned) <= kDenseVertices || slackM == kMostSlackM) {
-            return buffered(thinned, -(distance.si() + slackM), tolerance.si(), job);
+        // Points that scatter by more than the slack stay.
+        if (vertexCount(*simple) <= kDenseVertices || slackM == kMostSlackM) {
+            return erodedEach(*simple, distance.si() + slackM, tolerance.si(), job);
         }
         slackM = std::min(2.0 * slackM, kMostSlackM);
     }

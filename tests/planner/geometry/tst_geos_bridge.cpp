@@ -96,6 +96,28 @@ private slots:
         QVERIFY(isInOurForm(*result));
     }
 
+    // 4,000 spikes of 120 m that stand 10 to 20 cm apart. What lies 6 m inside is the disc that has none,
+    // smaller by that: the tips between the spikes lie on its edge.
+    void erodesSpikesThatStandClose() {
+        Ring star;
+        for (int i = 0; i < 8'000; ++i) {
+            star.push_back((i % 2 == 0 ? 250.0 : 130.0) * direction(2.0 * kPi * i / 8'000));
+        }
+        const auto result = eroded({{.outer = star, .holes = {}}}, metres(6.0), kArcTolerance, {});
+        VERIFY_RESULT(result);
+        QCOMPARE(result->size(), std::size_t{1});
+        QVERIFY(isInOurForm(*result));
+        double nearestM = 1e9;
+        double farthestM = 0.0;
+        for (const Point& point : result->front().outer) {
+            nearestM = std::min(nearestM, norm(point));
+            farthestM = std::max(farthestM, norm(point));
+        }
+        // Between two tips the circle bulges by 0.2 mm; thinning may take 5 cm.
+        QCOMPARE_LE(farthestM, 124.0 + 1e-3);
+        QCOMPARE_GE(nearestM, 124.0 - 0.1);
+    }
+
     // Around a re-entrant corner of an L: points of the arc are at the distance, chords within the tolerance.
     void arcsKeepTheTolerance_data() {
         QTest::addColumn<double>("distanceM");
