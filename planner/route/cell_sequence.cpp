@@ -1,5 +1,7 @@
 #include "planner/route/cell_sequence.h"
 
+#include "planner/geometry/point_grid.h"
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -15,6 +17,10 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostExact = 8;
 constexpr int kMostRounds = 4;
+// A table of all links holds 8 MB at most. Improving a sequence takes time with the cube of its length: with
+// 64 cells some hundredths of a second.
+constexpr std::size_t kMostTabled = 1'024;
+constexpr std::size_t kMostImproved = 64;
 // A pattern that saves less is not worth an order that is harder to follow.
 constexpr double kWorthwhile = 0.998;
 
@@ -22,6 +28,8 @@ constexpr double kWorthwhile = 0.998;
 struct Variant {
     std::vector<RouteStep> steps;
     double cost = 0.0;  ///< of the links
+    Point begin;        ///< of its first swath
+    Point end;          ///< of its last one
 };
 
 using Sequence = std::vector<std::size_t>;  ///< of cells
@@ -29,26 +37,30 @@ using Sequence = std::vector<std::size_t>;  ///< of cells
 class CellSequencer {
 public:
     CellSequencer(const LinkCosts& costs, std::vector<std::vector<Variant>> cells)
-        : cells_{std::move(cells)} {
+        : costs_{costs}, cells_{std::move(cells)} {
         for (const auto& variants : cells_) {
             first_.push_back(all_.size());
             for (const Variant& variant : variants) {
                 all_.push_back(&variant);
             }
         }
+        if (all_.size() > kMostTabled) {
+            return;
+        }
         links_.resize(all_.size() * all_.size());
         for (std::size_t a = 0; a < all_.size(); ++a) {
             for (std::size_t b = 0; b < all_.size(); ++b) {
-                links_[a * all_.size() + b] = costs.link(otherEnd(enteredEnd(all_[a]->steps.back())),
-                                                         enteredEnd(all_[b]->steps.front()));
+                links_[a * all_.size() + b] = asked(a, b);
             }
         }
     }
 
     /// @param fromFirst  begin with the first variant of the first cell
     std::vector<RouteStep> best(bool fromFirst, const JobContext& job) {
-        const Sequence sequence =
-            cells_.size() <= kMostExact ? exact(fromFirst) : improved(nearest(fromFirst), fromFirst, job);
+        const Sequence sequence = cells_.size() <= kMostExact ? exact(fromFirst)
+                                  : cells_.size() <= kMostImproved
+                                      ? improved(nearest(fromFirst), fromFirst, job)
+                                      : nearestInPlace();
         std::vector<RouteStep> steps;
         for (const std::size_t variant : variantsFor(sequence, fromFirst).second) {
             std::ranges::copy(all_[variant]->steps, std::back_inserter(steps));
@@ -57,8 +69,16 @@ public:
     }
 
 private:
-    double link(std::size_t a, std::size_t b) const { return links_[a * all_.size() + b]; }
+    double asked(std::size_t a, std::size_t b) const {
+        return costs_.link(otherEnd(enteredEnd(all_[a]->steps.back())), enteredEnd(all_[b]->steps.front()));
+    }
+    double link(std::size_t a, std::size_t b) const {
+        return links_.empty() ? asked(a, b) : links_[a * all_.size() + b];
+    }
     std::size_t endOf(std::size_t cell) const { return first_[cell] + cells_[cell].size(); }
+    std::size_t cellOf(std::size_t variant) const {
+        return static_cast<std::size_t>(std::ranges::upper_bound(first_, variant) - first_.begin()) - 1;
+    }
     bool mayBegin(std::size_t variant, bool fromFirst) const { return !fromFirst || variant == first_[0]; }
 
     /// The best variant of each cell in this sequence (Viterbi), and the whole cost.
@@ -97,9 +117,6 @@ private:
         const std::size_t sets = std::size_t{1} << count;
         std::vector<double> cost(sets * all_.size(), kInfinite);
         std::vector<std::size_t> before(sets * all_.size(), all_.size());
-        const auto cellOf = [this](std::size_t variant) {
-            return static_cast<std::size_t>(std::ranges::upper_bound(first_, variant) - first_.begin()) - 1;
-        };
         for (std::size_t v = 0; v < all_.size(); ++v) {
             if (mayBegin(v, fromFirst)) {
                 cost[(std::size_t{1} << cellOf(v)) * all_.size() + v] = all_[v]->cost;
@@ -152,8 +169,7 @@ private:
                         next = next == all_.size() || link(at, v) < link(at, next) ? v : next;
                     }
                 }
-                const auto cell =
-                    static_cast<std::size_t>(std::ranges::upper_bound(first_, next) - first_.begin()) - 1;
+                const std::size_t cell = cellOf(next);
                 done[cell] = true;
                 sequence.push_back(cell);
                 at = next;
@@ -164,6 +180,30 @@ private:
             }
         }
         return best;
+    }
+
+    /// From the first cell always on to the one that begins nearest to where this one ends, by straight
+    /// distance.
+    Sequence nearestInPlace() const {
+        std::vector<Point> begins;
+        for (const Variant* variant : all_) {
+            begins.push_back(variant->begin);
+        }
+        PointGrid open{std::move(begins)};
+        Sequence sequence;
+        std::size_t at = first_.front();
+        while (true) {
+            const std::size_t cell = cellOf(at);
+            sequence.push_back(cell);
+            for (std::size_t v = first_[cell]; v < endOf(cell); ++v) {
+                open.takeOut(v);
+            }
+            const auto next = open.nearest(all_[at]->end);
+            if (!next) {
+                return sequence;
+            }
+            at = *next;
+        }
     }
 
     /// 2-opt.
@@ -190,10 +230,11 @@ private:
         return sequence;
     }
 
+    const LinkCosts& costs_;
     std::vector<std::vector<Variant>> cells_;
     std::vector<const Variant*> all_;
     std::vector<std::size_t> first_;  ///< variant of each cell
-    std::vector<double> links_;
+    std::vector<double> links_;       ///< between all variants; empty where there are too many
 };
 
 std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const PatternOrder& order,
@@ -208,7 +249,9 @@ std::vector<Variant> variantsIn(const std::vector<std::size_t>& cell, const Patt
             step.swath = cell[step.swath];
         }
         const double cost = costs.links().between(endOrder(steps));
-        variants.push_back({.steps = std::move(steps), .cost = cost});
+        const Point begin = startPose(steps.front(), task.swaths).position;
+        const Point end = endPose(steps.back(), task.swaths).position;
+        variants.push_back({.steps = std::move(steps), .cost = cost, .begin = begin, .end = end});
     }
     return variants;
 }

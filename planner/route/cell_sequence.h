@@ -12,9 +12,10 @@ using PatternOrder = std::function<TrackOrder(std::size_t)>;
 
 /// Drives every cell by the pattern, one cell after the other. The sequence of the cells and their starting
 /// corners give the least cost of turns and of ways between cells, in free space. Exact for up to eight
-/// cells. For more, the nearest next one, improved by reversing stretches of the sequence. With route.corner
-/// `first`, starts at the start of the first swath. Cancelled. Cost: eight times the turns, and 64 ways for
-/// each pair of cells.
+/// cells. For up to 64, the nearest next one, improved by reversing stretches of the sequence. For more, from
+/// the first cell the one that begins nearest by straight distance. With route.corner `first`, starts at the
+/// start of the first swath. Cancelled. Cost: eight times the turns, and 64 ways for each pair of up to 64
+/// cells, or of cells that follow each other; memory of 8 MB at most.
 Result<Route> routeOverCells(const PatternOrder& order, const RouteTask& task, const JobContext& job);
 
 /// The same with, in each cell, the pattern that costs least there in free space. A pattern that saves less

@@ -72,6 +72,69 @@ class PatternsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// 1,600 cells of two swaths, 20 m apart: a table of all pairs of their 8 ways would hold 1.3 GB. From
+    /// each the next one is a neighbour, but where the nearest ones are all done.
+    void thousandsOfCells() {
+        constexpr int kAcross = 40;
+        constexpr double kApartM = 20.0;
+        SwathSet swaths;
+        std::vector<std::vector<std::size_t>> cells;
+        for (int i = 0; i < kAcross * kAcross; ++i) {
+            const Point low{kApartM * (i % kAcross), kApartM * (i / kAcross)};
+            cells.push_back({swaths.swaths.size(), swaths.swaths.size() + 1});
+            for (const double y : {1.25, 3.75}) {
+                swaths.swaths.push_back({.start = low + Point{0.0, y},
+                                         .end = low + Point{10.0, y},
+                                         .track = y < 2.0 ? 0 : 1,
+                                         .width = metres(2.5)});
+            }
+        }
+        const Settings settings;
+        const RouteTask task{.swaths = swaths,
+                             .machine = agbot(),
+                             .turn = kDubinsMethod.run,
+                             .settings = settings,
+                             .cells = cells};
+        const auto route = kBoustrophedonMethod.run(task, {});
+        VERIFY_RESULT(route);
+        QCOMPARE(route->steps.size(), swaths.swaths.size());
+        std::set<std::size_t> seen;
+        int far = 0;
+        for (std::size_t i = 0; i < route->steps.size(); i += 2) {
+            // Both swaths of a cell follow each other.
+            QCOMPARE(route->steps[i].swath / 2, route->steps[i + 1].swath / 2);
+            seen.insert({route->steps[i].swath, route->steps[i + 1].swath});
+            if (i > 0) {
+                const double wayM = distance(endPose(route->steps[i - 1], swaths).position,
+                                             startPose(route->steps[i], swaths).position);
+                far += wayM > 1.5 * kApartM ? 1 : 0;
+            }
+        }
+        QCOMPARE(seen.size(), swaths.swaths.size());
+        QVERIFY2(far < kAcross * kAcross / 10, QByteArray::number(far));
+    }
+    void stoppedAmongThousandsOfCells() {
+        std::stop_source stop;
+        stop.request_stop();
+        SwathSet swaths;
+        std::vector<std::vector<std::size_t>> cells;
+        for (std::size_t i = 0; i < 2'000; ++i) {
+            const double y = 5.0 * static_cast<double>(i);
+            swaths.swaths.push_back(
+                {.start = {0.0, y}, .end = {10.0, y}, .track = static_cast<int>(i), .width = metres(2.5)});
+            cells.push_back({i});
+        }
+        const Settings settings;
+        const auto route = kBoustrophedonMethod.run({.swaths = swaths,
+                                                     .machine = agbot(),
+                                                     .turn = kDubinsMethod.run,
+                                                     .settings = settings,
+                                                     .cells = cells},
+                                                    {.stop = stop.get_token()});
+        QVERIFY(!route);
+        QCOMPARE(route.error().code, ErrorCode::Cancelled);
+    }
+
     void ordersByHand_data() {
         QTest::addColumn<QString>("pattern");
         QTest::addColumn<int>("count");
