@@ -265,7 +265,7 @@ private:
 }  // namespace
 
 bool FollowingRules::leavesOut(Point place) const {
-    return std::ranges::any_of(leftOut, [&](Point corner) { return distance(corner, place) < aroundM; });
+    return leftOut.anyNearer(place, aroundM);
 }
 
 Ring followingTheEdge(const Curve& line, const AllowedEdges& edges, const Machine& machine,

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "planner/geometry/curve.h"
+#include "planner/geometry/point_grid.h"
 #include "planner/geometry/polygon.h"
 #include "planner/machine/machine.h"
 #include "planner/turns/allowed_edges.h"
-
-#include <span>
 
 namespace furrow {
 
@@ -13,7 +12,7 @@ namespace furrow {
 struct FollowingRules {
     Length beside;  ///< distance that the footprint keeps from the edge
     /// The line stays unchanged near these points. Another manoeuvre takes it inside there.
-    std::span<const Point> leftOut;
+    PointGrid leftOut;
     double aroundM = 0.0;
 
     bool leavesOut(Point place) const;

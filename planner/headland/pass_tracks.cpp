@@ -280,8 +280,9 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
     const bool touches =
         !Trailer::of(machine) && inset.si() < 0.5 * machine.workingFootprintWidth().si() + swingM;
     const Rig rig{drivable, machine, ImplementAt::Lowered};
-    const FollowingRules following{
-        .beside = rules.beside, .leftOut = rules.driven, .aroundM = besideM + reachM};
+    const FollowingRules following{.beside = rules.beside,
+                                   .leftOut = PointGrid{{rules.driven.begin(), rules.driven.end()}},
+                                   .aroundM = besideM + reachM};
     if (rules.followsEdges && rules.movesIn && !rig.hasTrailer()) {
         base = base.and_then([&](const MultiPolygon& region) {
             return alongEdges(region, drivable, machine, following, metres(reachM), job);

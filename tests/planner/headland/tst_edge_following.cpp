@@ -48,7 +48,8 @@ Curve roundedAlong(const Polygon& field) {
 
 Ring followed(const Curve& line, const Polygon& field, std::span<const Point> left = {}) {
     const AllowedEdges edges{MultiPolygon{field}, metres(10.0)};
-    return followingTheEdge(line, edges, agbot(), {.beside = {}, .leftOut = left, .aroundM = 6.0});
+    return followingTheEdge(line, edges, agbot(),
+                            {.beside = {}, .leftOut = PointGrid{{left.begin(), left.end()}}, .aroundM = 6.0});
 }
 
 /// The outlines of the footprint along a closed ring of points.
