@@ -3,6 +3,7 @@
 #include "planner/decomposition/history.h"
 #include "planner/decomposition/joining.h"
 #include "planner/decomposition/ledges.h"
+#include "planner/geometry/box_tree.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
 
@@ -63,16 +64,42 @@ private:
     Point along_;
 };
 
+/// The edges of a mainland, for the crossings of level lines.
+class EdgesByHeight {
+public:
+    explicit EdgesByHeight(const MultiPolygon& mainland) {
+        std::vector<Bounds> boxes;
+        forEachEdge(mainland, [&](Point a, Point b) {
+            edges_.emplace_back(a, b);
+            boxes.push_back(
+                {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+        });
+        tree_ = BoxTree{boxes};
+    }
+
+    std::vector<double> crossings(double y) const {
+        std::vector<double> found;
+        tree_.any([y](const Bounds& box) { return box.min.y <= y && y <= box.max.y; },
+                  [&](std::size_t i) {
+                      const auto& [a, b] = edges_[i];
+                      if ((a.y > y) != (b.y > y)) {
+                          found.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+                      }
+                      return false;
+                  });
+        return found;
+    }
+
+private:
+    std::vector<std::pair<Point, Point>> edges_;
+    BoxTree tree_;
+};
+
 /// Adds cuts from a ledge to the nearest edges on its left and right, on the side where the mainland is open:
 /// above it, or below if `side` is -1.
-void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
+void addCuts(const EdgesByHeight& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
     const double probe = 0.5 * (ledge.left.y + ledge.right.y) + side * kLevelM;
-    std::vector<double> crossings;
-    forEachEdge(mainland, [&](Point a, Point b) {
-        if ((a.y > probe) != (b.y > probe)) {
-            crossings.push_back(a.x + (probe - a.y) / (b.y - a.y) * (b.x - a.x));
-        }
-    });
+    std::vector<double> crossings = mainland.crossings(probe);
     std::ranges::sort(crossings);
     for (std::size_t i = 1; i < crossings.size(); i += 2) {
         const double left = crossings[i - 1];
@@ -91,17 +118,22 @@ void addCuts(const MultiPolygon& mainland, const Ledge& ledge, double side, std:
 }
 
 /// @param bend  shorter edges belong to one corner
-std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner, Length bend) {
+std::vector<Polyline> cutsOf(const MultiPolygon& mainland, bool atEveryCorner, Length bend,
+                             const JobContext& job) {
+    const EdgesByHeight edges{mainland};
     std::vector<Polyline> cuts;
     const auto visit = [&](const Ring& ring) {
         for (const Ledge& ledge : ledgesOf(ring, bend)) {
+            if (job.stopRequested()) {
+                return;
+            }
             if (ledge.isInward && (ledge.isValley || ledge.isPeak)) {
                 // Below a valley that points inwards, for example the lower end of an obstacle, and above a
                 // peak.
-                addCuts(mainland, ledge, ledge.isValley ? -1.0 : 1.0, cuts);
+                addCuts(edges, ledge, ledge.isValley ? -1.0 : 1.0, cuts);
             } else if (atEveryCorner && ledge.isCorner) {
-                addCuts(mainland, ledge, 1.0, cuts);
-                addCuts(mainland, ledge, -1.0, cuts);
+                addCuts(edges, ledge, 1.0, cuts);
+                addCuts(edges, ledge, -1.0, cuts);
             }
         }
     };
@@ -127,7 +159,10 @@ struct LevelCells {
 
 Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, Length bend,
                               const JobContext& job) {
-    LevelCells level{.cells = {}, .cuts = cutsOf(mainland, atEveryCorner, bend)};
+    LevelCells level{.cells = {}, .cuts = cutsOf(mainland, atEveryCorner, bend, job)};
+    if (job.stopRequested()) {
+        return std::unexpected(cancelled());
+    }
     if (level.cuts.empty()) {
         level.cells = mainland;
     } else {
@@ -144,18 +179,39 @@ Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, 
     return level;
 }
 
-/// The cell that contains the middle of each swath.
-std::vector<std::size_t> homesOf(const SwathSet& swaths, const LevelFrame& frame, const MultiPolygon& cells) {
+/// The cell in which a place lies; on an edge, or outside, the nearest cell.
+std::size_t homeOf(Point place, const MultiPolygon& cells, const std::vector<Bounds>& boxes) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (distanceM(place, boxes[i]) == 0.0 && isInside(cells[i], place)) {
+            return i;
+        }
+    }
+    std::size_t nearest = 0;
+    double leastM = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (distanceM(place, boxes[i]) < leastM) {
+            if (const double awayM = distanceTo(cells[i], place); awayM < leastM) {
+                leastM = awayM;
+                nearest = i;
+            }
+        }
+    }
+    return nearest;
+}
+
+/// The cell of the middle of each swath. Cancelled.
+Result<std::vector<std::size_t>> homesOf(const SwathSet& swaths, const LevelFrame& frame,
+                                         const MultiPolygon& cells, const JobContext& job) {
+    std::vector<Bounds> boxes;
+    for (const Polygon& cell : cells) {
+        boxes.push_back(bounds({cell}));
+    }
     std::vector<std::size_t> homes;
     for (const Swath& swath : swaths.swaths) {
-        const Point middle = frame.to(0.5 * (swath.start + swath.end));
-        auto home = std::ranges::find_if(cells, [&](const Polygon& cell) { return isInside(cell, middle); });
-        if (home == cells.end()) {
-            // On an edge, or extended beyond it.
-            home = std::ranges::min_element(cells, {},
-                                            [&](const Polygon& cell) { return distanceTo(cell, middle); });
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
         }
-        homes.push_back(static_cast<std::size_t>(home - cells.begin()));
+        homes.push_back(homeOf(frame.to(0.5 * (swath.start + swath.end)), cells, boxes));
     }
     return homes;
 }
@@ -231,9 +287,12 @@ Result<Decomposition> decomposed(const DecompositionTask& task, bool atEveryCorn
     }
     const MultiPolygon& pieces = level->cells;
     std::vector<std::vector<std::size_t>> dealt(pieces.size());
-    const std::vector<std::size_t> homes = homesOf(task.swaths, frame, pieces);
-    for (std::size_t swath = 0; swath < homes.size(); ++swath) {
-        dealt[homes[swath]].push_back(swath);
+    const auto homes = homesOf(task.swaths, frame, pieces, job);
+    if (!homes) {
+        return std::unexpected(homes.error());
+    }
+    for (std::size_t swath = 0; swath < homes->size(); ++swath) {
+        dealt[(*homes)[swath]].push_back(swath);
     }
     const CellCost cost{task.swaths, task.machine, dealt};
     const auto joins =

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace furrow {
 
@@ -17,23 +19,34 @@ constexpr double kLevelM = 1e-6;
 constexpr double kLeastBorderM = 0.5;
 // A smaller gain is rounding.
 constexpr double kLeastGainS = 1e-3;
+// Pieces looked at for the cost of joins, altogether: some seconds. With up to 200 pieces a few percent of it
+// are needed; with thousands of them those that share the longest borders are joined.
+constexpr std::size_t kMostWork = 20'000'000;
 
-/// The length of the border that the top of one piece shares with the bottom of another, along a cut.
-double borderM(const Polygon& below, const Polygon& above) {
-    double length = 0.0;
-    forEachEdge({below}, [&](Point a, Point b) {
-        // Tops run to the left, bottoms to the right.
-        if (std::abs(a.y - b.y) > kLevelM || b.x >= a.x) {
-            return;
-        }
-        forEachEdge({above}, [&](Point c, Point d) {
-            if (std::abs(c.y - d.y) > kLevelM || d.x <= c.x || std::abs(c.y - a.y) > kLevelM) {
-                return;
+/// A level edge of a piece: of its top, which runs to the left, or of its bottom.
+struct LevelEdge {
+    double y = 0.0;
+    double left = 0.0;
+    double right = 0.0;
+    std::size_t piece = 0;
+};
+
+struct LevelEdges {
+    std::vector<LevelEdge> tops;
+    std::vector<LevelEdge> bottoms;
+};
+
+LevelEdges levelEdgesOf(const MultiPolygon& pieces) {
+    LevelEdges edges;
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+        forEachEdge({pieces[piece]}, [&](Point a, Point b) {
+            if (std::abs(a.y - b.y) <= kLevelM && a.x != b.x) {
+                (b.x < a.x ? edges.tops : edges.bottoms)
+                    .push_back({a.y, std::min(a.x, b.x), std::max(a.x, b.x), piece});
             }
-            length += std::max(0.0, std::min(a.x, d.x) - std::max(b.x, c.x));
         });
-    });
-    return length;
+    }
+    return edges;
 }
 
 /// Joins one pair after the other and records the joins.
@@ -42,6 +55,9 @@ public:
     Joiner(const std::vector<Border>& borders, const CellCost& cost, std::size_t pieces)
         : borders_{borders}, cost_{cost}, groups_(pieces), goesOn_(pieces, false), comesFrom_(pieces, false) {
         std::iota(groups_.begin(), groups_.end(), std::size_t{0});
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            driven_.push_back(cost.isEmpty(piece) ? 0 : 1);
+        }
     }
 
     Result<std::vector<Join>> run(const JobContext& job) {
@@ -66,16 +82,10 @@ private:
     void join(const Border& border) {
         goesOn_[border.below] = comesFrom_[border.above] = true;
         joins_.push_back(joinAt(border));
+        driven_[joins_.back().kept] += driven_[joins_.back().gone];
         apply(joins_.back(), groups_);
     }
-    bool isEmpty(std::size_t piece) const {
-        for (std::size_t other = 0; other < groups_.size(); ++other) {
-            if (groups_[other] == groups_[piece] && !cost_.isEmpty(other)) {
-                return false;
-            }
-        }
-        return true;
-    }
+    bool isEmpty(std::size_t piece) const { return driven_[groups_[piece]] == 0; }
     /// Joins cells without swaths. They change no cost, but can connect two other cells.
     /// @param anywhere  also if the neighbour already continues in another one
     void giveAwayEmpty(bool anywhere) {
@@ -86,7 +96,8 @@ private:
             }
         }
     }
-    double secondsWith(const Border& border) const {
+    double secondsWith(const Border& border) {
+        work_ += groups_.size();
         Groups joined = groups_;
         apply(joinAt(border), joined);
         return cost_.of(joined).si();
@@ -98,7 +109,7 @@ private:
         double now = cost_.of(groups_).si();
         std::vector<double> gains(borders_.size(), std::numeric_limits<double>::infinity());
         std::vector<std::size_t> workedOut(borders_.size(), joins_.size() + borders_.size() + 1);
-        while (!job.stopRequested()) {
+        while (!job.stopRequested() && work_ < kMostWork) {
             std::optional<std::size_t> best;
             for (std::size_t i = 0; i < borders_.size(); ++i) {
                 if (mayJoin(borders_[i]) && (!best || gains[i] > gains[*best])) {
@@ -137,20 +148,30 @@ private:
     Groups groups_;
     std::vector<bool> goesOn_;
     std::vector<bool> comesFrom_;
+    std::vector<std::size_t> driven_;  ///< pieces with swaths of each group
     std::vector<Join> joins_;
+    std::size_t work_ = 0;
 };
 
 }  // namespace
 
 std::vector<Border> bordersOf(const MultiPolygon& pieces) {
-    std::vector<Border> borders;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        for (std::size_t k = 0; k < pieces.size(); ++k) {
-            if (i != k) {
-                if (const double lengthM = borderM(pieces[i], pieces[k]); lengthM > kLeastBorderM) {
-                    borders.push_back({lengthM, i, k});
-                }
+    LevelEdges edges = levelEdgesOf(pieces);
+    std::ranges::stable_sort(edges.bottoms, {}, &LevelEdge::y);
+    std::map<std::pair<std::size_t, std::size_t>, double> lengths;
+    for (const LevelEdge& top : edges.tops) {
+        for (auto bottom = std::ranges::lower_bound(edges.bottoms, top.y - kLevelM, {}, &LevelEdge::y);
+             bottom != edges.bottoms.end() && bottom->y <= top.y + kLevelM; ++bottom) {
+            const double lengthM = std::min(top.right, bottom->right) - std::max(top.left, bottom->left);
+            if (lengthM > 0.0 && bottom->piece != top.piece) {
+                lengths[{top.piece, bottom->piece}] += lengthM;
             }
+        }
+    }
+    std::vector<Border> borders;
+    for (const auto& [pair, lengthM] : lengths) {
+        if (lengthM > kLeastBorderM) {
+            borders.push_back({lengthM, pair.first, pair.second});
         }
     }
     std::ranges::stable_sort(borders, std::greater{}, &Border::lengthM);
