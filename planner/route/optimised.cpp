@@ -68,7 +68,7 @@ public:
 
     EndOrder run(const JobContext& job) {
         const std::size_t swaths = costs_.links().swathCount();
-        if (isDraft_ && swaths > kMostSearchedInDraft) {
+        if (swaths > (isDraft_ ? kMostSearchedInDraft : kMostSearched)) {
             return cheapest(job);
         }
         const NearEnds near = nearEnds(costs_.links(), kNearLinks);
@@ -85,7 +85,7 @@ public:
                                                                (check + 1.0) / kMostChecks))
                                             .order);
             rounds /= 2;
-            if (isDraft_ || !checkLinks(orders_.back())) {
+            if (isDraft_ || !checkLinks(orders_.back(), job)) {
                 break;
             }
         }
@@ -94,9 +94,9 @@ public:
 
 private:
     /// Whether something became dearer.
-    bool checkLinks(const EndOrder& order) {
+    bool checkLinks(const EndOrder& order, const JobContext& job) {
         bool isDearer = false;
-        for (std::size_t i = 1; i < order.size(); ++i) {
+        for (std::size_t i = 1; i < order.size() && !job.stopRequested(); ++i) {
             isDearer = costs_.links().check(otherEnd(order[i - 1]), order[i]) || isDearer;
         }
         return isDearer;
@@ -108,7 +108,7 @@ private:
             const auto best = std::ranges::min_element(orders_, {}, [&](const EndOrder& order) {
                 return std::pair{strips_ != nullptr ? strips_->excess(order) : 0, costs_.links().of(order)};
             });
-            if (isDraft_ || job.stopRequested() || !checkLinks(*best)) {
+            if (isDraft_ || job.stopRequested() || !checkLinks(*best, job)) {
                 return *best;
             }
         }

@@ -11,6 +11,10 @@
 
 namespace furrow {
 
+/// Orders of more swaths are not searched, and no bound is worked out for them: both look at all pairs of
+/// ends.
+inline constexpr std::size_t kMostSearched = 2'000;
+
 /// What a search for an order starts from, and when it ends.
 struct OrderSearchTask {
     const LinkCosts& costs;

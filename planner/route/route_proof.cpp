@@ -2,6 +2,7 @@
 
 #include "planner/route/exact_order.h"
 #include "planner/route/order_bound.h"
+#include "planner/route/order_search.h"
 #include "planner/route/route_costs.h"
 
 #include <algorithm>
@@ -43,6 +44,9 @@ Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& t
     RouteCosts costs{task};
     LinkCosts& links = costs.links();
     const EndOrder order = endOrder(route.steps);
+    if (order.size() > kMostSearched) {
+        return std::nullopt;
+    }
     for (std::size_t i = 1; i < order.size(); ++i) {
         if (task.way && !task.way(route.steps[i - 1], route.steps[i], SearchEffort::Thorough)) {
             return std::nullopt;
