@@ -1,6 +1,6 @@
 #include "planner/plan/path_over_legs.h"
 
-#include "planner/path/driven_parts.h"
+#include "planner/geometry/tolerances.h"
 #include "planner/path/headland_order.h"
 #include "planner/path/speed_profile.h"
 #include "planner/path/way_repair.h"
@@ -24,6 +24,19 @@ namespace {
 // An eased path is shorter than its legs by less than this.
 constexpr double kEasedShare = 0.995;
 
+/// The rooms of an area in several polygons. A search that fails goes through all of one.
+Result<std::optional<DrivenParts>> roomsApart(const MultiPolygon& area, const Tractor& tractor,
+                                              const JobContext& job) {
+    if (area.size() < 2) {
+        return std::optional<DrivenParts>{};
+    }
+    // A disc of this breadth lies in the tractor, whichever way it stands.
+    const Length breadth = std::min(tractor.width, tractor.length) - metres(kNeckContactM);
+    return DrivenParts::of(area, breadth, job).transform([](DrivenParts&& rooms) {
+        return std::optional{std::move(rooms)};
+    });
+}
+
 }  // namespace
 
 PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, const DrivingRoom& room,
@@ -44,7 +57,8 @@ std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const Job
     return way ? way : ways_(from.line.end(), to.line.start, job);
 }
 
-Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Folding folding, bool& isWhole,
+Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Folding folding,
+                                                const std::optional<DrivenParts>& rooms, bool& isWhole,
                                                 const JobContext& job) const {
     const Settings& settings = task_.request.settings;
     const Machine& machine = task_.request.machine;
@@ -52,10 +66,11 @@ Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Fo
     const auto wayBetween = [&](const Leg& from, const Leg& to, const JobContext& piece) {
         const Pose leaving = from.line.end();
         const Pose arriving = to.line.start;
-        if (auto raised = way(from, to, piece)) {
+        const bool areApart = rooms && rooms->separate(leaving.position, arriving.position);
+        if (auto raised = areApart ? std::nullopt : way(from, to, piece)) {
             return WayBetween{.line = *std::move(raised)};
         }
-        if (folding == Folding::WhereNeeded) {
+        if (folding == Folding::WhereNeeded && !areApart) {
             if (auto narrow = folding_->folded(leaving, arriving, piece)) {
                 return WayBetween{.line = *std::move(narrow), .folded = true};
             }
@@ -89,8 +104,14 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
 Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, bool mayReorder,
                                               const JobContext& job) const {
     bool isWhole = true;
-    auto all = joinedBy(legs, Folding::Never, isWhole, job.part(0.0, 0.75));
-    if (!all || isWhole || !task_.request.settings.flag(kStayInside)) {
+    const bool staysInside = task_.request.settings.flag(kStayInside);
+    const auto rooms = staysInside ? roomsApart(ground_.tractor(), task_.request.machine.spec().tractor, job)
+                                   : Result<std::optional<DrivenParts>>{std::optional<DrivenParts>{}};
+    if (!rooms) {
+        return std::unexpected(rooms.error());
+    }
+    auto all = joinedBy(legs, Folding::Never, *rooms, isWhole, job.part(0.0, 0.75));
+    if (!all || isWhole || !staysInside) {
         return all;
     }
     if (mayReorder) {
@@ -100,7 +121,7 @@ Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, bool mayRe
         }
         legs = *std::move(other);
     }
-    return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, isWhole,
+    return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, *rooms, isWhole,
                     job.part(0.75, 1.0));
 }
 

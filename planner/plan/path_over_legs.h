@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/path/driven_parts.h"
 #include "planner/path/fitting_ways.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
@@ -70,8 +71,10 @@ private:
                            const JobContext& job) const;
     /// @param mayReorder  whether the legs may get another order where no way leads
     Result<std::vector<Leg>> joined(std::vector<Leg>& legs, bool mayReorder, const JobContext& job) const;
+    /// @param rooms    where the tractor gets from one of them to another nowhere: no way is searched there
     /// @param isWhole  whether a way that fits was found everywhere
-    Result<std::vector<Leg>> joinedBy(const std::vector<Leg>& legs, Folding folding, bool& isWhole,
+    Result<std::vector<Leg>> joinedBy(const std::vector<Leg>& legs, Folding folding,
+                                      const std::optional<DrivenParts>& rooms, bool& isWhole,
                                       const JobContext& job) const;
     /// The legs in an order in which more ways lead from each to the next.
     Result<std::vector<Leg>> reordered(std::vector<Leg> legs, const JobContext& job) const;
