@@ -107,6 +107,10 @@ Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
                : message("it is {:.0f} s quicker", (timeOf(other) - timeOf(better)).si());
 }
 
+bool isTooLargeToCompare(const PlannedStages& plan) {
+    return plan.driven->path.segments.size() + plan.request.field->vertexCount() > kMostCompared;
+}
+
 void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value) {
     forget(instead, parameter);
     instead.push_back({std::string{parameter.key}, std::string{value}});
@@ -200,7 +204,7 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
     taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
     note(best.instead, kHeadlandCorner, taken);
-    if (lastingCount(best.plan.driven->findings) > 0) {
+    if (lastingCount(best.plan.driven->findings) > 0 || isTooLargeToCompare(best.plan)) {
         return {};
     }
     const bool isFirst = !best.nearCorners;
@@ -238,8 +242,9 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
 Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, const JobContext& job) {
     std::vector<std::string_view> ids;
     if (!routeMethod(plan.request.settings).traits.isByTime || !plan.drivable() ||
-        routeObjective(plan.request.settings) != RouteObjective::Time || hasOwnOrder(plan.request.settings) ||
-        plan.request.settings.count(kOpenStrips) || plan.ordered->route.steps.empty()) {
+        isTooLargeToCompare(plan) || routeObjective(plan.request.settings) != RouteObjective::Time ||
+        hasOwnOrder(plan.request.settings) || plan.request.settings.count(kOpenStrips) ||
+        plan.ordered->route.steps.empty()) {
         return ids;
     }
     const Route& taken = plan.ordered->route;
@@ -351,7 +356,17 @@ Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobCon
     if (course_.asked) {
         course_.asked(*asked);
     }
-    const bool triesHeadings = !hasOwnOrder(request.settings) && !hasHeadingPerCell(request.settings);
+    const bool isTooLarge = isTooLargeToCompare(*asked);
+    if (isTooLarge) {
+        best.notes.push_back(
+            {message("headings, orders and corners are not compared as driven: the path has {} parts and the "
+                     "field {} corners, and with more than {} in all that takes too long",
+                     asked->driven->path.segments.size(), request.field->vertexCount(), kMostCompared),
+             "instead",
+             {}});
+    }
+    const bool triesHeadings =
+        !isTooLarge && !hasOwnOrder(request.settings) && !hasHeadingPerCell(request.settings);
     const std::vector<HeadingCandidate> headings =
         triesHeadings ? headingsToTry(*asked) : std::vector<HeadingCandidate>{};
     const double decided = kAskedShare + (1.0 - kAskedShare) / (1.0 + static_cast<double>(headings.size()));

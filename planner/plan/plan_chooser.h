@@ -33,6 +33,12 @@ bool isBetter(const PlannedStages& other, const PlannedStages& plan);
 /// Why a plan is better than another.
 Message reasonFor(const PlannedStages& better, const PlannedStages& other);
 
+/// Parts of a path (swaths, turns, ways, passes) and corners of the field. With more of them the plan as
+/// asked is taken: some twenty would be driven and audited to compare its headings, orders, corners and
+/// simpler choices. A note tells so.
+inline constexpr std::size_t kMostCompared = 8'000;
+bool isTooLargeToCompare(const PlannedStages& plan);
+
 /// The value that was used for a setting; another one may have been noted before.
 void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value);
 
