@@ -280,7 +280,10 @@ Result<void> HistoryJournal::rewrite(const History& history) {
     text += lineOfRest(history);
 
     const fs::path part = path_.string() + ".part";
-    const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+    // What an interrupted run left is replaced. A link of that name would lead elsewhere.
+    ::unlink(part.c_str());
+    const int file =
+        ::open(part.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_APPEND | O_CLOEXEC, 0600);
     if (file < 0) {
         return std::unexpected(writeFailed(part));
     }

@@ -175,6 +175,27 @@ private slots:
         QVERIFY2(timer.elapsed() < 2'000, QByteArray::number(timer.elapsed()));
         QCOMPARE(process.exitCode(), 130);
     }
+    // Files are written beside their names first. A link that waits there would lead the bytes elsewhere.
+    void linksInTheFolderAreNotFollowed_data() {
+        QTest::addColumn<QString>("link");
+        QTest::newRow("beside a file") << "plan.geojson.part";
+        QTest::newRow("beside the summary") << "summary.json.part";
+        QTest::newRow("in the place of a file") << "plan.geojson";
+    }
+    void linksInTheFolderAreNotFollowed() {
+        QFETCH(QString, link);
+        const QTemporaryDir folder;
+        const QString mine = writeFile(folder.filePath("mine.txt"), "mine");
+        const QString out = folder.filePath("plan");
+        QVERIFY(QDir{}.mkdir(out));
+        QVERIFY(QFile::link(mine, out + "/" + link));
+        const Answer answer =
+            furrowCli({"plan", sampleField("slanted_field"), "--format", "geojson", "--out", out});
+        QVERIFY2(answer.status < 2, answer.error);
+        QCOMPARE(contentsOf(mine), QByteArray{"mine"});
+        QCOMPARE(filesIn(out).keys(), (QStringList{"plan.geojson", "summary.json"}));
+        QVERIFY(!QFileInfo{out + "/plan.geojson"}.isSymLink());
+    }
     void planningAgainLeavesNothingOfTheOldPlan() {
         const QTemporaryDir folder;
         const QStringList line{"plan", sampleField("slanted_field"), "--out", folder.path(), "--format"};

@@ -86,6 +86,19 @@ private slots:
         }
         compare(readBack(path_), history);
     }
+    void aLinkBesideIsNotFollowed() {
+        const QString mine = folder_->filePath("mine.txt");
+        QFile file{mine};
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+        file.close();
+        QVERIFY(QFile::link(mine, folder_->filePath("farm.history.part")));
+        const History history = sampleHistory(2);
+        auto journal = HistoryJournal::open(path_);
+        VERIFY_RESULT(journal);
+        VERIFY_RESULT(journal->write(history));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray{"mine"});
+    }
     void changesAreAppended() {
         History history = sampleHistory(2);
         {
