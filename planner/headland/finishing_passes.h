@@ -4,11 +4,15 @@
 #include "planner/headland/headland.h"
 #include "planner/turns/rig.h"
 
+#include <cstddef>
 #include <span>
 
 namespace furrow {
 
 extern const Parameter kHeadlandFinish;
+
+/// Of one field and one call: with more of them nobody finds the way. What is left then blocks the plan.
+inline constexpr std::size_t kMostFinishingPasses = 128;
 
 /// The land that other passes leave, and the amount that may stay.
 struct FinishingTask {
@@ -25,8 +29,8 @@ struct FinishingTask {
 /// Short straight passes over the land left at corners and between other passes. Each runs along an edge or
 /// along the piece itself, in either direction. A greedy choice adds passes until little enough is left. If
 /// `bends` is given, passes on full lock over land at the edges come first. No pass is returned that would
-/// gain little. Each has one stretch. Cost: some checks of the rig and some GEOS overlays for each.
-/// Cancelled.
+/// gain little, and no more than `kMostFinishingPasses`. Each has one stretch. Cost: some checks of the rig
+/// and some GEOS overlays for each. Cancelled.
 Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job);
 
 }  // namespace furrow

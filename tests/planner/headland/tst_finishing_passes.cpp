@@ -85,6 +85,20 @@ private slots:
         QVERIFY(!passesOver(strewn, field, squareMetres(1.1)).value().empty());
     }
 
+    /// 150 pieces of 2.4 m, far apart, each worth a pass.
+    void noMoreThanABound() {
+        constexpr int kPieces = 150;
+        static_assert(kPieces > kMostFinishingPasses);
+        const MultiPolygon field{test::rectangle(310.0, 210.0)};
+        MultiPolygon strewn;
+        for (int i = 0; i < kPieces; ++i) {
+            strewn.push_back(squareAt({10.0 + 20.0 * (i % 15), 10.0 + 20.0 * (i / 15)}, 2.4));
+        }
+        const auto passes = passesOver(strewn, field, {});
+        VERIFY_RESULT(passes);
+        QCOMPARE(passes->size(), kMostFinishingPasses);
+    }
+
     /// 2.4 m square in the open: one pass of 2.5 m works it all.
     void inTheOpen() {
         const MultiPolygon field{test::rectangle(60.0, 40.0)};

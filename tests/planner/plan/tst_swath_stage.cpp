@@ -65,6 +65,25 @@ class SwathStageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// 100 tracks are few; 120 teeth cut them into 12,000 swaths.
+    void anOutlineCutsTracksIntoTooMany() {
+        Ring comb{{0.0, 0.0}, {840.0, 0.0}};
+        for (int tooth = 119; tooth >= 0; --tooth) {
+            const double left = 7.0 * tooth;
+            comb.insert(comb.end(),
+                        {{left + 6.0, 10.0}, {left + 6.0, 260.0}, {left + 1.0, 260.0}, {left + 1.0, 10.0}});
+        }
+        const auto plan = planOf(fieldOf({{.outer = comb, .holes = {}}}), {{"headland.method", "none"},
+                                                                           {"swaths.method", "fixed"},
+                                                                           {"swaths.angle_deg", "0"},
+                                                                           {"swaths.min_length_m", "0"}});
+        QVERIFY(!plan);
+        QCOMPARE(plan.error().code, ErrorCode::InputRefused);
+        QCOMPARE(plan.error().where.text(), std::string{"swaths"});
+        const QByteArray what = QByteArray::fromStdString(plan.error().what.text());
+        QVERIFY2(what.contains("no plan may have more than 10000"), what);
+        QVERIFY(!plan.error().remedy.empty());
+    }
     // Two lines right through make three pieces of known size; one that ends inside makes none.
     void splitLinesCutExactlyThere_data() {
         QTest::addColumn<QString>("method");
