@@ -23,6 +23,10 @@ namespace {
 
 // An eased path is shorter than its legs by less than this.
 constexpr double kEasedShare = 0.995;
+// Between more legs than this, only so many ways are searched thoroughly where a quick search found none. A
+// thorough one that fails takes up to half a second.
+constexpr std::size_t kManyLegs = 1'000;
+constexpr std::size_t kMostThorough = 200;
 
 /// The rooms of an area in several polygons. A search that fails goes through all of one.
 Result<std::optional<DrivenParts>> roomsApart(const MultiPolygon& area, const Tractor& tractor,
@@ -35,6 +39,10 @@ Result<std::optional<DrivenParts>> roomsApart(const MultiPolygon& area, const Tr
     return DrivenParts::of(area, breadth, job).transform([](DrivenParts&& rooms) {
         return std::optional{std::move(rooms)};
     });
+}
+
+bool areApart(const Leg& from, const Leg& to, const std::optional<DrivenParts>& rooms) {
+    return rooms && rooms->separate(from.line.end().position, to.line.start.position);
 }
 
 }  // namespace
@@ -50,46 +58,82 @@ PathOverLegs::PathOverLegs(const DriveTask& task, const AllowedAreas& ground, co
       leftOnPurpose_{leftOnPurpose},
       room_{room} {}
 
-std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const JobContext& job) const {
+std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const JobContext& job,
+                                       SearchEffort effort) const {
     // A way that may leave the field keeps its kind but where it leads through an obstacle.
     auto way =
         task_.request.settings.flag(kStayInside) ? chosen_.between(from, to) : chosen_.anywhere(from, to);
-    return way ? way : ways_(from.line.end(), to.line.start, job);
+    return way ? way : ways_(from.line.end(), to.line.start, job, effort);
+}
+
+Result<std::vector<SearchEffort>> PathOverLegs::effortsFor(const std::vector<Leg>& legs,
+                                                           const std::optional<DrivenParts>& rooms,
+                                                           const JobContext& job) const {
+    std::vector<SearchEffort> efforts(legs.size(), SearchEffort::Thorough);
+    if (legs.size() <= kManyLegs) {
+        return efforts;
+    }
+    // One after the other: quick searches look less far once one of them has failed.
+    std::size_t thorough = 0;
+    for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+        if (job.stopRequested()) {
+            return std::unexpected(cancelled());
+        }
+        const bool isEasy = areApart(legs[i], legs[i + 1], rooms) ||
+                            way(legs[i], legs[i + 1], job.withoutProgress(), SearchEffort::Quick);
+        if (isEasy || ++thorough > kMostThorough) {
+            efforts[i] = SearchEffort::Quick;
+        }
+    }
+    return efforts;
 }
 
 Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Folding folding,
-                                                const std::optional<DrivenParts>& rooms, bool& isWhole,
+                                                const std::optional<DrivenParts>& rooms, Missing& missing,
                                                 const JobContext& job) const {
     const Settings& settings = task_.request.settings;
     const Machine& machine = task_.request.machine;
-    std::atomic<bool> allFound{true};
+    const auto efforts = effortsFor(legs, rooms, job);
+    if (!efforts) {
+        return std::unexpected(efforts.error());
+    }
+    std::atomic<std::size_t> inAll{0};
+    std::atomic<std::size_t> within{0};
     const auto wayBetween = [&](const Leg& from, const Leg& to, const JobContext& piece) {
         const Pose leaving = from.line.end();
         const Pose arriving = to.line.start;
-        const bool areApart = rooms && rooms->separate(leaving.position, arriving.position);
-        if (auto raised = areApart ? std::nullopt : way(from, to, piece)) {
+        const bool mayLead = !areApart(from, to, rooms);
+        const SearchEffort effort = (*efforts)[static_cast<std::size_t>(&from - legs.data())];
+        if (auto raised = mayLead ? way(from, to, piece, effort) : std::nullopt) {
             return WayBetween{.line = *std::move(raised)};
         }
-        if (folding == Folding::WhereNeeded && !areApart) {
+        if (folding == Folding::WhereNeeded && mayLead) {
             if (auto narrow = folding_->folded(leaving, arriving, piece)) {
                 return WayBetween{.line = *std::move(narrow), .folded = true};
             }
         }
-        allFound = false;
+        ++inAll;
+        within += mayLead ? 1 : 0;
         return WayBetween{.line = connection(leaving, arriving, machine, otherTurns(settings))};
     };
     auto all = joinedLegs(legs, machine, wayBetween, job);
-    isWhole = allFound;
+    missing = {.inAll = inAll, .within = within};
     return all;
 }
 
-Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const JobContext& job) const {
+Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Missing& missing,
+                                                 const JobContext& job) const {
     const Machine& machine = task_.request.machine;
     const auto parts = DrivenParts::of(ground_, machine, {}, job);
     if (!parts) {
         return std::unexpected(parts.error());
     }
-    legs = withWaysBetween(partByPart(std::move(legs), *parts), ways_, room_.steering.lowered, *parts, job);
+    legs = partByPart(std::move(legs), *parts);
+    // Each takes some dozen searches.
+    if (missing.within > kMostThorough) {
+        return legs;
+    }
+    legs = withWaysBetween(std::move(legs), ways_, room_.steering.lowered, *parts, job);
     if (folding_ == nullptr) {
         return legs;
     }
@@ -103,25 +147,25 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Jo
 
 Result<std::vector<Leg>> PathOverLegs::joined(std::vector<Leg>& legs, bool mayReorder,
                                               const JobContext& job) const {
-    bool isWhole = true;
+    Missing missing;
     const bool staysInside = task_.request.settings.flag(kStayInside);
     const auto rooms = staysInside ? roomsApart(ground_.tractor(), task_.request.machine.spec().tractor, job)
                                    : Result<std::optional<DrivenParts>>{std::optional<DrivenParts>{}};
     if (!rooms) {
         return std::unexpected(rooms.error());
     }
-    auto all = joinedBy(legs, Folding::Never, *rooms, isWhole, job.part(0.0, 0.75));
-    if (!all || isWhole || !staysInside) {
+    auto all = joinedBy(legs, Folding::Never, *rooms, missing, job.part(0.0, 0.75));
+    if (!all || missing.inAll == 0 || !staysInside) {
         return all;
     }
     if (mayReorder) {
-        auto other = reordered(std::move(legs), job.withoutProgress());
+        auto other = reordered(std::move(legs), missing, job.withoutProgress());
         if (!other) {
             return std::unexpected(other.error());
         }
         legs = *std::move(other);
     }
-    return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, *rooms, isWhole,
+    return joinedBy(legs, folding_ != nullptr ? Folding::WhereNeeded : Folding::Never, *rooms, missing,
                     job.part(0.75, 1.0));
 }
 

@@ -61,10 +61,16 @@ public:
                                   const JobContext& job) const;
 
     /// The way from one leg to another with the implement raised, as the path takes it. Empty if none fits.
-    std::optional<Curve> way(const Leg& from, const Leg& to, const JobContext& job) const;
+    std::optional<Curve> way(const Leg& from, const Leg& to, const JobContext& job,
+                             SearchEffort effort = SearchEffort::Thorough) const;
 
 private:
     enum class Folding { Never, WhereNeeded };
+    /// Places without a way.
+    struct Missing {
+        std::size_t inAll = 0;
+        std::size_t within = 0;  ///< of them, those within one part
+    };
 
     Result<Driven> driveAs(std::vector<Leg>& legs, const RefillTrips* trips,
                            std::vector<HeadlandPass> finishing, std::optional<PlanToBeat> toBeat,
@@ -72,12 +78,18 @@ private:
     /// @param mayReorder  whether the legs may get another order where no way leads
     Result<std::vector<Leg>> joined(std::vector<Leg>& legs, bool mayReorder, const JobContext& job) const;
     /// @param rooms    where the tractor gets from one of them to another nowhere: no way is searched there
-    /// @param isWhole  whether a way that fits was found everywhere
+    /// @param missing  where no way that fits was found
     Result<std::vector<Leg>> joinedBy(const std::vector<Leg>& legs, Folding folding,
-                                      const std::optional<DrivenParts>& rooms, bool& isWhole,
+                                      const std::optional<DrivenParts>& rooms, Missing& missing,
                                       const JobContext& job) const;
+    /// How each leg's way to the next is searched. Of many legs only the first ways that are not found
+    /// quickly are searched thoroughly, whatever the number of threads.
+    Result<std::vector<SearchEffort>> effortsFor(const std::vector<Leg>& legs,
+                                                 const std::optional<DrivenParts>& rooms,
+                                                 const JobContext& job) const;
     /// The legs in an order in which more ways lead from each to the next.
-    Result<std::vector<Leg>> reordered(std::vector<Leg> legs, const JobContext& job) const;
+    Result<std::vector<Leg>> reordered(std::vector<Leg> legs, const Missing& missing,
+                                       const JobContext& job) const;
     Result<std::vector<Finding>> foundIn(Path& path, const std::vector<Leg>& legs,
                                          const JobContext& job) const;
 
