@@ -31,6 +31,8 @@ constexpr double kThinTipShare = 0.05;
 // Distance by which the outline after a step may be thinned, as a share of the step.
 constexpr double kStepSlackShare = 0.01;
 constexpr double kLeastStepSlackM = 1e-3;
+// Of the tolerance for chords, in each step: they add up.
+constexpr double kStepToleranceShare = 0.25;
 
 /// The number of segments in a quarter circle with which the arc's chords stay within the tolerance.
 int quarterSegments(double radiusM, double toleranceM) {
@@ -75,9 +77,8 @@ Result<MultiPolygon> erodedInSteps(const Polygon& polygon, double distanceM, dou
     double stepM = (box.width() + box.height()) / static_cast<double>(vertexCount(left));
     while (vertexCount(left) > kManyVertices && stepM < distanceM) {
         const double slackM = std::clamp(kStepSlackShare * stepM, kLeastStepSlackM, kLeastSlackM);
-        auto moved = buffered(left, -stepM, toleranceM, job).and_then([&](const MultiPolygon& inner) {
-            return thinned(inner, slackM, job);
-        });
+        auto moved = buffered(left, -stepM, kStepToleranceShare * toleranceM, job)
+                         .and_then([&](const MultiPolygon& inner) { return thinned(inner, slackM, job); });
         if (!moved) {
             return moved;
         }
