@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <functional>
 #include <new>
 #include <stdexcept>

@@ -5,6 +5,7 @@
 #include "tests/support/result_check.h"
 #include "tests/support/test_program.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
