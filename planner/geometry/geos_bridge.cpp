@@ -29,7 +29,7 @@ constexpr std::size_t kManyVertices = 2'000;
 constexpr double kThinTipM = 0.2;
 constexpr double kThinTipShare = 0.05;
 // Distance by which the outline after a step may be thinned, as a share of the step.
-constexpr double kStepSlackShare = 0.01;
+constexpr double kStepSlackShare = 0.05;
 constexpr double kLeastStepSlackM = 1e-3;
 // Of the tolerance for chords, in each step: they add up.
 constexpr double kStepToleranceShare = 0.25;

@@ -8,6 +8,7 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -24,6 +25,9 @@ using Clock = std::chrono::steady_clock;
 constexpr double kMostStopS = 10.0;
 // Swaths end on the mainland's edge, which is drawn to a centimetre.
 constexpr double kBesideM = 0.02;
+// Between the places of a swath that are looked at, and as far as distances are worked out.
+constexpr double kLookM = 0.5;
+constexpr double kReachM = 1.0;
 
 double since(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
@@ -41,23 +45,29 @@ bool isFinite(const PathSample& sample) {
                          sample.speedMps + sample.sM + sample.tS + sample.level.value_or(0.0));
 }
 
+/// How far the nearest of some places along a swath is inside of the mainland, or the farthest.
+double insideAlong(const Swath& swath, const BoundaryDistance& mainland, bool farthest) {
+    const int places = std::max(40, static_cast<int>(swath.length().si() / kLookM));
+    double best = farthest ? -kReachM : kReachM;
+    for (int i = 0; i <= places; ++i) {
+        const double share = static_cast<double>(i) / places;
+        const Point place = (1.0 - share) * swath.start + share * swath.end;
+        const double insideM = mainland.insideM(place).value_or(kReachM);
+        best = farthest ? std::max(best, insideM) : std::min(best, insideM);
+    }
+    return best;
+}
+
 std::string faultInSwaths(const Plan& plan) {
-    // Drawn out to the full width, a swath ends beyond the mainland; its middle does not.
+    // Drawn out to the full width, a swath begins or ends beyond the mainland, but some of it lies there.
     const bool areDrawnOut = plan.request.settings.choice(kEnds) != "centre";
-    const BoundaryDistance mainland{plan.headland.mainland, metres(1.0)};
+    const BoundaryDistance mainland{plan.headland.mainland, metres(kReachM)};
     for (const Swath& swath : plan.swaths.swaths) {
         if (!std::isfinite(swath.start.x + swath.start.y + swath.end.x + swath.end.y + swath.length().si())) {
             return std::format("swath {} is nowhere", swath.number);
         }
-        if (swath.isCurved()) {
-            continue;
-        }
-        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            const Point place = (1.0 - share) * swath.start + share * swath.end;
-            if ((!areDrawnOut || share == 0.5) && mainland.insideM(place).value_or(1.0) < -kBesideM) {
-                return std::format("swath {} leaves the mainland at {:.2f} of its length", swath.number,
-                                   share);
-            }
+        if (!swath.isCurved() && insideAlong(swath, mainland, areDrawnOut) < -kBesideM) {
+            return std::format("swath {} lies beside the mainland", swath.number);
         }
     }
     return {};
