@@ -6975,6 +6975,10 @@
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>Namen von Zufahrten oder Punkte in WGS84 wie MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
     </message>
+    <message>
+        <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
+        <translation>Fahrtrichtungen, Reihenfolgen und Ecken werden nicht gefahren verglichen: Der Fahrweg hat %1 Teile und der Schlag %2 Ecken; mit mehr als %3 zusammen dauert das zu lange</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

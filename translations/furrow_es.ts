@@ -6975,6 +6975,10 @@
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>nombres de entradas o puntos en WGS84 como MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
     </message>
+    <message>
+        <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
+        <translation>no se comparan direcciones, órdenes y esquinas recorridas: el recorrido tiene %1 partes y la parcela %2 esquinas, y con más de %3 en total tarda demasiado</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -6975,6 +6975,10 @@
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>des noms d&apos;entrées ou des points en WGS84 comme MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
     </message>
+    <message>
+        <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
+        <translation>les orientations, les ordres et les coins ne sont pas comparés tels que parcourus : le trajet a %1 parties et la parcelle %2 coins ; au-delà de %3 en tout, cela dure trop longtemps</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

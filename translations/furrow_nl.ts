@@ -6975,6 +6975,10 @@
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>namen van inritten of punten in WGS84 zoals MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
     </message>
+    <message>
+        <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
+        <translation>rijrichtingen, volgordes en hoeken worden niet gereden vergeleken: het traject heeft %1 delen en het perceel %2 hoeken; met meer dan %3 samen duurt dat te lang</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

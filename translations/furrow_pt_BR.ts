@@ -6975,6 +6975,10 @@
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>nomes de entradas ou pontos em WGS84 como MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
     </message>
+    <message>
+        <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
+        <translation>direções, ordens e cantos não são comparados como percorridos: o percurso tem %1 partes e o talhão %2 cantos, e com mais de %3 no total isso demora demais</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -7,52 +7,31 @@ import Furrow.Commands
 import Furrow.Compare
 import Furrow.Controls
 import Furrow.Drive
-import Furrow.Driven
 import Furrow.Edit
 import Furrow.Export
-import Furrow.Guide
 import Furrow.Farm
 import Furrow.Layers
 import Furrow.Plan
 import Furrow.Project
 import Furrow.Report
-import Furrow.Results
 import Furrow.Review
 import Furrow.Trouble
 
-/// The window: top bar, steps, map, results.
+/// The window: top bar, steps, map, and what stands beside it.
 ApplicationWindow {
     id: root
 
     required property Session session
     readonly property bool roomForPanel: width >= 1200
-    property bool panelWanted: true
     /// All fields of the farm are in view in place of the steps and results of one.
     property bool farmWanted: false
     readonly property bool farmOpen: farmWanted && session.farm.hasField
-    /// Two plans are compared in place of the results of one.
-    property bool compareWanted: false
-    readonly property bool compareOpen: compareWanted && !fromTrackOpen && !farmOpen && session.shown.hasPlan && !guideOpen
-    /// Each of the two is on a map of its own, where they are compared.
-    property bool twoMapsWanted: false
-    readonly property bool twoMaps: compareOpen && twoMapsWanted
-    /// A recorded track lies over the plan, beside its figures.
-    readonly property bool drivenOpen: session.driven.active && !fromTrackOpen && !compareOpen && !farmOpen && session.shown.hasPlan && !guideOpen
-    /// A field is being made from a recorded track.
-    readonly property bool fromTrackOpen: session.fieldFromTrack.active && !guideOpen
-    /// The guide is read beside the map.
-    property bool guideOpen: false
-    /// What takes the place of the results.
-    readonly property bool besideOpen: compareOpen || drivenOpen || fromTrackOpen || guideOpen
-    readonly property Item rightPanel: guideOpen ? guidePanel : fromTrackOpen ? fieldFromTrackPanel : compareOpen ? comparePanel : drivenOpen ? drivenPanel : results
-    readonly property list<color> drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
     /// Beside the map; otherwise the steps are a drawer over it.
-    readonly property bool roomForSteps: width >= (twoMaps ? 1640 : 860)
+    readonly property bool roomForSteps: width >= (beside.twoMaps ? 1640 : 860)
     property bool stepsWanted: true
     /// When there was no more room for them.
     property bool stepsWereWanted: true
     readonly property bool stepsOpen: stepsWanted && !farmOpen
-    readonly property bool panelOpen: !farmOpen && !besideOpen && session.shown.hasPlan && (roomForPanel || panelWanted)
     readonly property int currentFinding: page.editor.selectedFinding
     /// The steps to the cells are gone through: of the plan the map shows the swaths only.
     readonly property bool steppingCells: session.planning.cells.current >= 0
@@ -116,16 +95,14 @@ ApplicationWindow {
         if (started)
             maximised = visibility === Window.Maximized;
     }
-    onRoomForPanelChanged: panelWanted = roomForPanel
     // The map first; the steps are a press away.
     onRoomForStepsChanged: {
         if (!roomForSteps)
             stepsWereWanted = stepsWanted;
         stepsWanted = roomForSteps && stepsWereWanted;
     }
-    onTwoMapsChanged: otherMap.change(twoMaps)
     Component.onCompleted: {
-        panelWanted = roomForPanel;
+        beside.panelWanted = roomForPanel;
         stepsWanted = roomForSteps;
         // Also where it will be maximised: it is to fit when that ends.
         windowFit.begin();
@@ -178,43 +155,24 @@ ApplicationWindow {
         onTakeInRequested: reviewDialogs.takeIn()
         onDriveBarRequested: on => root.driveWanted = on
         onDriveRequested: segment => root.driveFrom(segment)
-        onTrackRequested: {
-            root.guideOpen = false;
-            root.farmWanted = false;
-            root.compareWanted = false;
-            drivenDialog.forField = !root.session.shown.hasPlan;
-            drivenDialog.open();
-        }
-        onFieldFromTrackRequested: {
-            drivenDialog.forField = true;
-            drivenDialog.open();
-        }
-        twoMaps: root.twoMaps
-        onTwoMapsRequested: {
-            const on = !root.twoMaps;
-            root.twoMapsWanted = on;
-            if (on && !root.compareOpen)
-                root.showCompare();
-        }
-        onCompareRequested: root.compareOpen ? root.closeCompare() : root.showCompare()
+        onTrackRequested: beside.askForTrack()
+        onFieldFromTrackRequested: beside.askForFieldTrack()
+        twoMaps: beside.twoMaps
+        onTwoMapsRequested: beside.toggleTwoMaps()
+        onCompareRequested: beside.compareOpen ? beside.closeCompare() : beside.showCompare()
         onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
         onKeysRequested: windowDialogs.keys.open()
-        onGuideRequested: root.guideOpen ? root.closeGuide() : root.showGuide()
+        onGuideRequested: beside.guideOpen ? beside.closeGuide() : beside.showGuide()
         onAboutRequested: windowDialogs.about.open()
         onTroubleRequested: windowDialogs.trouble.open()
         onPreferencesRequested: windowDialogs.preferences.open()
         onTourRequested: tour.start()
         onQuitRequested: root.close()
-        onPanelRequested: {
-            if (root.guideOpen || !root.panelWanted)
-                root.openResults();
-            else
-                root.panelWanted = false;
-        }
+        onPanelRequested: beside.togglePanel()
         onStepsRequested: root.stepsWanted = !root.stepsWanted
     }
     Shortcut {
@@ -269,9 +227,9 @@ ApplicationWindow {
         anchors { left: parent.left; right: parent.right; top: parent.top }
         session: root.session
         commands: appCommands
-        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen && !root.besideOpen
+        panelOffered: !root.roomForPanel && root.session.shown.hasPlan && !root.farmOpen && !beside.otherOpen
         farmOpen: root.farmOpen
-        panelOpen: root.panelOpen
+        panelOpen: beside.panelOpen
         stepsOffered: !root.farmOpen
         stepsOpen: root.stepsOpen
     }
@@ -309,7 +267,7 @@ ApplicationWindow {
         opener: root.session.opener
         onOpenRequested: dialogs.open()
         onDrawRequested: page.startDrawing()
-        onCheckRequested: root.showFindings()
+        onCheckRequested: beside.showFindings()
         onExportRequested: root.exportPlan()
         onBestPlanRequested: bestPlanDialog.open()
         onSwathChosen: segment => page.editor.selectSegment(segment)
@@ -328,10 +286,10 @@ ApplicationWindow {
         id: page
 
         objectName: "mapPage"
-        anchors { left: root.farmOpen ? farmPanel.right : root.stepsOpen && root.roomForSteps ? steps.right : parent.left; right: otherMap.beside ? otherMap.left : root.rightPanel.left; top: topBar.bottom; bottom: otherMap.below ? otherMap.top : driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: root.farmOpen ? farmPanel.right : root.stepsOpen && root.roomForSteps ? steps.right : parent.left; right: otherMap.beside ? otherMap.left : beside.left; top: topBar.bottom; bottom: otherMap.below ? otherMap.top : driveBar.visible ? driveBar.top : parent.bottom }
         focus: true
         other: root.session.comparison.drawing
-        showOther: root.compareOpen && root.session.comparison.ready && !root.twoMaps && (otherHeld || comparePanel.holding)
+        showOther: beside.compareOpen && root.session.comparison.ready && !beside.twoMaps && (otherHeld || beside.holdingOther)
         document: root.session.document
         shown: root.session.shown
         imagery: root.session.imagery
@@ -343,125 +301,50 @@ ApplicationWindow {
         layersOpen: layersPanel.open
         onLayersRequested: layersPanel.open = !layersPanel.open
         planStyle: mapStyle.style
-        overlays: [
-            DrivenLayer {
-                anchors.fill: parent
-                visible: root.drivenOpen
-                camera: page.camera
-                track: root.session.driven
-                colors: root.drivenColors
-                casingColor: Theme.panel
-                missedColor: Theme.missed
-                lineFactor: Theme.lineFactor
-            },
-            TrackOutlineLayer {
-                objectName: "trackOutlineLayer"
-                anchors.fill: parent
-                visible: root.fromTrackOpen
-                camera: page.camera
-                source: root.session.fieldFromTrack
-                lineColor: Theme.boundary
-                casingColor: Theme.casing
-                fillColor: Qt.alpha(Theme.accent, 0.16)
-                trackColor: Theme.swath
-                lineFactor: Theme.lineFactor
-            },
-            DifferenceLayer {
-                anchors.fill: parent
-                visible: root.compareOpen && !page.showOther
-                showSecond: !root.twoMaps
-                camera: page.camera
-                comparison: root.session.comparison
-                firstColor: Theme.accent
-                secondColor: otherMap.lineColor
-                casingColor: Theme.panel
-                lineFactor: Theme.lineFactor
-            },
-            FarmNames {
-                anchors.fill: parent
-                visible: root.session.farmList.count > 1 || root.farmOpen
-                fields: root.session.farmList
-                camera: page.camera
-                choosing: root.farmOpen
-                onPicked: (row, how) => {
-                    root.session.farmList.pick(row, how);
-                    farmPanel.show(row);
-                }
-                onOpened: row => farmPanel.open(row)
-            },
-            WorkedLayer {
-                objectName: "workedLayer"
-                anchors.fill: parent
-                visible: root.session.drive.underWay && !root.steppingCells
-                camera: page.camera
-                drive: root.session.drive
-                color: Theme.covered
-                // As one picture: land that is worked twice is not darker.
-                layer.enabled: true
-                opacity: 0.32
-            },
-            DriveLayer {
-                objectName: "driveLayer"
-                anchors.fill: parent
-                visible: !root.steppingCells
-                camera: page.camera
-                drive: root.session.drive
-                bodyColor: Theme.accent
-                wheelColor: Theme.ink
-                implementColor: Theme.dark ? Theme.boundary : Theme.ink
-                casingColor: Theme.panel
-            },
-            CommentPins {
-                id: pins
+        overlays: PlanOverlays {
+            id: mapOverlays
 
-                objectName: "commentPins"
-                anchors.fill: parent
-                visible: root.session.shown.hasPlan && !root.steppingCells
-                review: root.session.review
-                camera: page.camera
-                onClicked: row => root.showComment(row)
-                onPlaced: place => {
-                    root.openResults();
-                    results.showReview();
-                    results.reviewSection.write(place);
-                }
-            },
-            Pickers {
-                anchors.fill: parent
-                planning: root.session.planning
-                files: root.session.files
-                camera: page.camera
-                onToolRequested: tool => page.startTool(tool)
-            },
-            FindingPulse {
-                id: pulse
-
-                anchors.fill: parent
-                camera: page.camera
+            anchors.fill: parent
+            session: root.session
+            page: page
+            beside: beside
+            farmOpen: root.farmOpen
+            steppingCells: root.steppingCells
+            otherColor: otherMap.lineColor
+            onFieldPicked: (row, how) => {
+                root.session.farmList.pick(row, how);
+                farmPanel.show(row);
             }
-        ]
+            onFieldOpened: row => farmPanel.open(row)
+            onCommentClicked: row => root.showComment(row)
+            onCommentPlaced: place => {
+                beside.showResults();
+                beside.results.showReview();
+                beside.results.reviewSection.write(place);
+            }
+        }
         onFindingClicked: index => {
-            root.openResults();
+            beside.showResults();
             page.editor.selectFinding(index);
-            results.showFinding(index);
+            beside.results.showFinding(index);
         }
         onFieldDrawn: boundary => root.session.opener.addDrawn(boundary)
         onInspectRequested: {
-            root.openResults();
-            results.focusInspector();
+            beside.showResults();
+            beside.results.focusInspector();
         }
 
         MapName {
             objectName: "firstName"
             anchors { right: parent.right; bottom: parent.bottom; margins: 12 }
-            visible: root.twoMaps
+            visible: beside.twoMaps
             name: qsTr("This plan: %1").arg(root.session.comparison.firstName)
             lineColor: Theme.accent
         }
         StatusChip {
             anchors { right: parent.right; top: parent.top; margins: 16 }
             planning: root.session.planning
-            onCheckRequested: root.showFindings()
+            onCheckRequested: beside.showFindings()
         }
         FilesNotice {
             anchors { left: parent.left; top: parent.top; leftMargin: page.toolBar.x + page.toolBar.width + 16; topMargin: 62 }
@@ -498,7 +381,7 @@ ApplicationWindow {
             anchors.centerIn: parent
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
-            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !root.fromTrackOpen && root.session.imagery.count === 0
+            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
             opener: root.session.opener
             recent: root.session.recent
             onOpenRequested: dialogs.open()
@@ -555,10 +438,11 @@ ApplicationWindow {
 
         objectName: "otherMap"
         fromX: page.x
-        toX: root.rightPanel.x
+        toX: beside.x
         fromY: page.y
         toY: driveBar.visible ? driveBar.y : root.contentItem.height
-        open: root.twoMaps
+        open: beside.twoMaps
+        onOpenChanged: change(open)
         page: page
         comparison: root.session.comparison
         imagery: root.session.imagery
@@ -569,9 +453,9 @@ ApplicationWindow {
     DriveBar {
         id: driveBar
 
-        anchors { left: page.left; right: root.rightPanel.left; bottom: parent.bottom }
+        anchors { left: page.left; right: beside.left; bottom: parent.bottom }
         // Beside two panels in a small window there is no room for it.
-        visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !root.besideOpen) && root.session.shown.hasPlan && !page.editor.drawing
+        visible: root.driveWanted && !root.farmOpen && (root.roomForPanel || !beside.otherOpen) && root.session.shown.hasPlan && !page.editor.drawing
         slim: root.height < 700
         drive: root.session.drive
         onHideRequested: root.driveWanted = false
@@ -589,129 +473,42 @@ ApplicationWindow {
                 page.camera.centreOn(root.session.drive.place, page.camera.zoomLevel, false);
         }
     }
-    ResultsPanel {
-        id: results
+    BesidePanels {
+        id: beside
 
-        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom; rightMargin: root.panelOpen ? 0 : -width }
-        width: 308
-        visible: root.panelOpen
-        shown: root.session.shown
-        planning: root.session.planning
-        figures: root.session.figures
-        findings: root.session.findings
-        lastChange: root.session.lastChange
-        review: root.session.review
-        editor: page.editor
+        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
+        session: root.session
+        page: page
+        farmOpen: root.farmOpen
+        roomForPanel: root.roomForPanel
         currentFinding: root.currentFinding
+        drivenColors: [Theme.swath, Theme.headland, Theme.turn, Theme.finding, Theme.muted]
+        onFarmGivesWay: root.farmWanted = false
+        onStepsGiveWay: {
+            if (!root.roomForSteps)
+                root.stepsWanted = false;
+        }
         onFindingRequested: index => root.goToFinding(index)
         onDriveRequested: segment => root.driveFrom(segment)
-    }
-    ComparePanel {
-        id: comparePanel
-
-        objectName: "comparePanel"
-        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
-        width: 340
-        visible: root.compareOpen
-        comparison: root.session.comparison
-        twoMaps: root.twoMaps
-        onTwoMapsChosen: on => root.twoMapsWanted = on
-        onCloseRequested: root.closeCompare()
         onVariantRequested: root.askName(qsTr("Keep as a variant"), "", "", false, name => root.session.farm.addPlan(name))
-    }
-    DrivenDialog {
-        id: drivenDialog
-
-        track: root.session.driven
-        source: root.session.fieldFromTrack
-    }
-    TrackQuestion {
-        anchors.centerIn: Overlay.overlay
-        source: root.session.fieldFromTrack
-    }
-    FieldFromTrackPanel {
-        id: fieldFromTrackPanel
-
-        objectName: "fieldFromTrackPanel"
-        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
-        width: 340
-        visible: root.fromTrackOpen
-        source: root.session.fieldFromTrack
-        onCloseRequested: {
-            root.session.fieldFromTrack.close();
-            if (root.session.farm.hasField)
-                page.fitField(true);
-            page.forceActiveFocus();
-        }
-    }
-    Connections {
-        target: root.session.fieldFromTrack
-
-        function onOutlined(area: geoRectangle): void {
-            root.farmWanted = false;
-            root.guideOpen = false;
-            page.camera.fit(area, 84, 72, 48, 72, true);
-        }
-        function onLayRequested(): void {
-            root.guideOpen = false;
-            root.farmWanted = false;
-            root.compareWanted = false;
-        }
-    }
-    GuidePanel {
-        id: guidePanel
-
-        objectName: "guidePanel"
-        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
-        width: Math.min(440, Math.max(340, root.width * 0.34), root.width - 48)
-        visible: root.guideOpen
-        onCloseRequested: root.closeGuide()
-    }
-    DrivenPanel {
-        id: drivenPanel
-
-        objectName: "drivenPanel"
-        anchors { right: parent.right; top: topBar.bottom; bottom: parent.bottom }
-        width: 340
-        visible: root.drivenOpen
-        track: root.session.driven
-        colors: root.drivenColors
-        onOpenRequested: {
-            drivenDialog.forField = false;
-            drivenDialog.open();
-        }
-        onFieldRequested: root.session.fieldFromTrack.takeOver(root.session.driven)
-        onCloseRequested: {
-            root.session.driven.close();
-            page.forceActiveFocus();
-        }
-        onPlaceRequested: place => {
-            if (place.isValid)
-                page.camera.centreOn(place, 19, true);
-        }
-    }
-    Binding {
-        target: root.session.comparison
-        property: "active"
-        value: root.compareOpen
     }
     ReviewDialogs {
         id: reviewDialogs
 
         review: root.session.review
         onTakenIn: {
-            root.openResults();
-            results.showReview();
+            beside.showResults();
+            beside.results.showReview();
         }
     }
     Connections {
-        target: results.reviewSection
+        target: beside.results.reviewSection
 
         function onCommentRequested(row: int): void {
             root.showComment(row);
         }
         function onPlaceRequested(): void {
-            pins.placing = true;
+            mapOverlays.pins.placing = true;
         }
         function onSendRequested(): void {
             reviewDialogs.send();
@@ -743,7 +540,7 @@ ApplicationWindow {
     Tour {
         id: tour
 
-        anchors { left: parent.left; right: root.rightPanel.left; top: parent.top; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        anchors { left: parent.left; right: beside.left; top: parent.top; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         z: 10
         hasField: root.session.farm.hasField
         machineName: root.session.planning.machine.name
@@ -797,30 +594,9 @@ ApplicationWindow {
             root.exportPlan();
         }
     }
-    /// The results, in place of whatever stands there or over them.
-    function openResults(): void {
-        root.guideOpen = false;
-        root.farmWanted = false;
-        root.compareWanted = false;
-        root.session.driven.close();
-        root.session.fieldFromTrack.close();
-        root.panelWanted = true;
-        if (!root.roomForSteps)
-            root.stepsWanted = false;
-    }
-    function showGuide(): void {
-        root.guideOpen = true;
-        if (!root.roomForSteps)
-            root.stepsWanted = false;
-        guidePanel.begin();
-    }
-    function closeGuide(): void {
-        root.guideOpen = false;
-        page.forceActiveFocus();
-    }
     /// What the palette finds beside commands: settings, machines, fields, findings, pages of the guide.
     function searchable(): var {
-        const pages = guidePanel.guide.searchable(qsTr("Guide"));
+        const pages = beside.guide.searchable(qsTr("Guide"));
         if (!root.session.farm.hasField)
             return pages;
         const fields = root.session.farm.fields.map((name, index) => ({ kind: "field", name: name, group: qsTr("Fields"), keywords: qsTr("field"), index: index }));
@@ -829,14 +605,13 @@ ApplicationWindow {
     }
     function goTo(entry: var): void {
         if (entry.kind === "guide") {
-            root.showGuide();
-            guidePanel.show(entry.chapter, entry.block);
+            beside.showGuidePage(entry.chapter, entry.block);
         } else if (entry.kind === "field") {
             root.session.farm.currentField = entry.index;
         } else if (entry.kind === "finding") {
-            root.openResults();
+            beside.showResults();
             root.goToFinding(entry.index);
-            results.showFinding(entry.index);
+            beside.results.showFinding(entry.index);
         } else {
             root.stepsWanted = true;
             steps.openSetting(entry.stepId, entry.key);
@@ -846,18 +621,8 @@ ApplicationWindow {
         root.session.exporter.chosen = [];
         exportDialog.open();
     }
-    function showCompare(): void {
-        root.guideOpen = false;
-        root.farmWanted = false;
-        root.compareWanted = true;
-        comparePanel.begin();
-    }
-    function closeCompare(): void {
-        root.compareWanted = false;
-        page.forceActiveFocus();
-    }
     function showFarm(): void {
-        root.guideOpen = false;
+        beside.guideOpen = false;
         root.farmWanted = true;
         farmPanel.begin();
         page.camera.fit(root.session.farmList.bounds(), 84, 72, 48, 72, true);
@@ -871,7 +636,7 @@ ApplicationWindow {
         const place = root.session.findings.placeOf(index);
         page.editor.selectFinding(index);
         page.camera.centreOn(place, 17, true);
-        pulse.begin(place);
+        mapOverlays.pulseAt(place);
     }
     /// The drive from the beginning of a segment.
     function driveFrom(segment: int): void {
@@ -880,22 +645,22 @@ ApplicationWindow {
     }
     /// A comment in the list and at its place.
     function showComment(row: int): void {
-        pins.current = row;
-        results.reviewSection.current = row;
-        root.openResults();
-        results.showReview();
+        mapOverlays.pins.current = row;
+        beside.results.reviewSection.current = row;
+        beside.showResults();
+        beside.results.showReview();
         const place = root.session.review.placeOf(row);
         if (place.isValid)
             page.camera.centreOn(place, 17, true);
     }
     /// A comment on a place of the map that is clicked next, or on the whole plan.
     function comment(atPlace: bool): void {
-        root.openResults();
-        results.showReview();
+        beside.showResults();
+        beside.results.showReview();
         if (atPlace)
-            pins.placing = true;
+            mapOverlays.pins.placing = true;
         else
-            results.reviewSection.write(QtPositioning.coordinate());
+            beside.results.reviewSection.write(QtPositioning.coordinate());
     }
     /// From one finding to the next, or back.
     function stepFinding(by: int): void {
@@ -908,16 +673,9 @@ ApplicationWindow {
     function showAndGoTo(finding: int): void {
         if (finding < 0)
             return;
-        root.openResults();
+        beside.showResults();
         root.goToFinding(finding);
-        results.showFinding(finding);
-    }
-    /// The list of what was found, beginning with what blocks.
-    function showFindings(): void {
-        if (!root.session.shown.hasPlan)
-            return;
-        root.openResults();
-        results.showFindings();
+        beside.results.showFinding(finding);
     }
     function openPath(path: string): void {
         dialogs.openUrls([root.session.files.urlOf(path)]);
