@@ -225,7 +225,7 @@ void TestCompareWindow::onTwoMaps() {
     QVERIFY(pixelsOf(image, green, sceneRect(*other)) < 100);
     // In a small window, in all colours.
     window_->resize(1000, 640);
-    QTRY_COMPARE(item("comparePanel")->x(), 660.0);
+    QTRY_COMPARE(item("comparePanel")->mapToScene({0.0, 0.0}).x(), 660.0);
     for (const auto& [name, mode] : {std::pair{"light", 1}, {"dark", 2}, {"sunlight", 3}}) {
         theme->setProperty("forced", mode);
         QTRY_VERIFY(std::abs(other->width() - map()->width()) <= 1.0 &&
