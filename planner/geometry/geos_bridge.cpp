@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 namespace furrow {
@@ -20,10 +22,12 @@ namespace {
 constexpr std::size_t kDenseVertices = 20'000;
 constexpr double kLeastSlackM = 0.01;
 constexpr double kMostSlackM = 0.05;
-// A polygon of more vertices is moved inwards in steps, each twice as long as the one before. Offsets of
+// A polygon of more sharp corners is moved inwards in steps, each twice as long as the one before. Offsets of
 // spikes that stand closer than the distance would cross each other with the square of their number; a step
-// rounds off those that are narrower than itself, and few are left to cross in the next one.
-constexpr std::size_t kManyVertices = 2'000;
+// rounds off those that are narrower than itself, and few are left to cross in the next one. Points on a bend
+// do no harm.
+constexpr std::size_t kManyCorners = 2'000;
+const double kSharpCosine = std::cos(std::numbers::pi / 6.0);
 // Of the tips of spikes that are cut off before: at this share of the distance, and width, by a millimetre
 // too far.
 constexpr double kThinTipM = 0.2;
@@ -59,6 +63,24 @@ Result<MultiPolygon> buffered(const Shapes& shapes, double distanceM, double tol
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+bool isJagged(const Polygon& polygon) {
+    if (vertexCount({polygon}) <= kManyCorners) {
+        return false;
+    }
+    std::size_t corners = 0;
+    const auto count = [&](const Ring& ring) {
+        Point in = ring.front() - ring.back();
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point out = ring[(i + 1) % ring.size()] - ring[i];
+            corners += dot(in, out) < kSharpCosine * norm(in) * norm(out) ? 1 : 0;
+            in = out;
+        }
+    };
+    count(polygon.outer);
+    std::ranges::for_each(polygon.holes, count);
+    return corners > kManyCorners;
+}
+
 /// A line within the slack of the boundary. It may cross itself where that is narrower.
 Result<MultiPolygon> thinned(const MultiPolygon& polygons, double slackM, const JobContext& job) {
     const Geometry input = toGeos(polygons);
@@ -75,7 +97,7 @@ Result<MultiPolygon> erodedInSteps(const Polygon& polygon, double distanceM, dou
     // As far as the vertices are apart if all lie around the polygon.
     const Bounds box = bounds(left);
     double stepM = (box.width() + box.height()) / static_cast<double>(vertexCount(left));
-    while (vertexCount(left) > kManyVertices && stepM < distanceM) {
+    while (vertexCount(left) > kManyCorners && stepM < distanceM) {
         const double slackM = std::clamp(kStepSlackShare * stepM, kLeastStepSlackM, kLeastSlackM);
         auto moved = buffered(left, -stepM, kStepToleranceShare * toleranceM, job)
                          .and_then([&](const MultiPolygon& inner) { return thinned(inner, slackM, job); });
@@ -92,21 +114,23 @@ Result<MultiPolygon> erodedInSteps(const Polygon& polygon, double distanceM, dou
 /// Each polygon as suits its number of vertices. They are apart, so that none matters to another.
 Result<MultiPolygon> erodedEach(const MultiPolygon& polygons, double distanceM, double toleranceM,
                                 const JobContext& job) {
-    const auto isMany = [](const Polygon& polygon) { return vertexCount({polygon}) > kManyVertices; };
-    if (std::ranges::none_of(polygons, isMany)) {
+    if (std::ranges::none_of(polygons, isJagged)) {
         return buffered(polygons, -distanceM, toleranceM, job);
     }
     MultiPolygon few;
-    std::ranges::remove_copy_if(polygons, std::back_inserter(few), isMany);
+    std::ranges::remove_copy_if(polygons, std::back_inserter(few), isJagged);
     auto all = buffered(few, -distanceM, toleranceM, job);
     for (const Polygon& polygon : polygons) {
-        if (all && isMany(polygon)) {
+        if (all && isJagged(polygon)) {
             auto one = erodedInSteps(polygon, distanceM, toleranceM, job);
             if (!one) {
                 return one;
             }
             std::ranges::move(*one, std::back_inserter(*all));
         }
+    }
+    if (all) {
+        std::ranges::stable_sort(*all, std::greater{}, [](const Polygon& each) { return area(each).si(); });
     }
     return all;
 }
@@ -153,9 +177,7 @@ Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, 
     if (polygons.empty()) {
         return MultiPolygon{};
     }
-    if (std::ranges::any_of(polygons,
-                            [](const Polygon& each) { return vertexCount({each}) > kManyVertices; }) ||
-        vertexCount(polygons) > kDenseVertices) {
+    if (vertexCount(polygons) > kDenseVertices || std::ranges::any_of(polygons, isJagged)) {
         return eroded(polygons, distance, kArcTolerance, job);
     }
     const Geometry input = toGeos(polygons);

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <format>
 #include <stop_token>
 #include <thread>
@@ -137,7 +138,7 @@ double stoppedAfter(const PlanRequest& request, std::chrono::milliseconds delay)
 DrawnVerdict verdictOn(std::uint64_t seed) {
     const DrawnRequest drawn = drawnRequest(seed);
     DrawnVerdict verdict;
-    const auto begun = Clock::now();
+    const std::clock_t begun = std::clock();
     for (const Error& error : drawn.refused) {
         verdict.fault = verdict.fault.empty() ? faultOf(error) : verdict.fault;
     }
@@ -158,7 +159,7 @@ DrawnVerdict verdictOn(std::uint64_t seed) {
                             : "";
     }
     const auto plan = makePlan(request, {.threads = 1});
-    verdict.seconds = since(begun);
+    verdict.seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
     if (verdict.fault.empty()) {
         verdict.fault = plan ? faultIn(**plan) : faultOf(plan.error());
     }

@@ -13,8 +13,8 @@ enum class DrawnOutcome { Refused, Planned, Drivable };
 
 struct DrawnVerdict {
     DrawnOutcome outcome = DrawnOutcome::Refused;
-    std::string fault;  ///< what must never be; empty where all is well
-    double seconds = 0.0;
+    std::string fault;         ///< what must never be; empty where all is well
+    double seconds = 0.0;      ///< of the processor
     double stopSeconds = 0.0;  ///< from the stop request until the job had ended; 0: none was made
 };
 
