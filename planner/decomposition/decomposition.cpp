@@ -71,8 +71,7 @@ public:
         std::vector<Bounds> boxes;
         forEachEdge(mainland, [&](Point a, Point b) {
             edges_.emplace_back(a, b);
-            boxes.push_back(
-                {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+            boxes.push_back(boundsOf(a, b));
         });
         tree_ = BoxTree{boxes};
     }

@@ -8,6 +8,11 @@
 
 namespace furrow {
 
+/// Around the edge between two points.
+inline Bounds boundsOf(Point a, Point b) {
+    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+}
+
 /// Boxes in an order in which neighbours lie near each other, like the edges of rings. The order is halved
 /// again and again, and each half has a box around it. Immutable; thread-safe.
 class BoxTree {

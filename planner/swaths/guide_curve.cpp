@@ -1,5 +1,6 @@
 #include "planner/swaths/guide_curve.h"
 
+#include "planner/geometry/box_tree.h"
 #include "planner/geometry/simplify.h"
 
 #include <algorithm>
@@ -49,10 +50,6 @@ std::optional<double> meeting(Point a, Point b, Point c, Point d) {
     return s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0 ? std::optional{s} : std::nullopt;
 }
 
-Bounds boxOf(Point a, Point b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
 bool touches(const Bounds& a, const Bounds& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
@@ -61,7 +58,7 @@ bool touches(const Bounds& a, const Bounds& b) {
 std::optional<Point> crossingOf(const Polyline& line) {
     std::vector<Bounds> boxes;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        boxes.push_back(boxOf(line[i], line[i + 1]));
+        boxes.push_back(boundsOf(line[i], line[i + 1]));
     }
     const BoxTree tree{boxes};
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {

@@ -50,8 +50,7 @@ std::vector<Curve> MainlandEdges::partsInside(const Curve& line) const {
     for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
         const Point a = samples[k].pose.position;
         const Point b = samples[k + 1].pose.position;
-        const Bounds chord{{std::min(a.x, b.x), std::min(a.y, b.y)},
-                           {std::max(a.x, b.x), std::max(a.y, b.y)}};
+        const Bounds chord = boundsOf(a, b);
         tree_.any(
             [&](const Bounds& box) {
                 return box.min.x <= chord.max.x && chord.min.x <= box.max.x && box.min.y <= chord.max.y &&
