@@ -61,8 +61,7 @@ public:
                 const Point b = segment.samples[i].position;
                 if (distance(a, b) > 0.0) {
                     edges_.push_back({a, b});
-                    boxes.push_back(
-                        {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
+                    boxes.push_back(boundsOf(a, b));
                 }
             }
         }
@@ -107,9 +106,31 @@ private:
     std::vector<DifferentStretch> all_;
 };
 
-std::vector<DifferentStretch> drivenOnlyIn(const Path& path, const Path& other) {
-    // A line is looked at in steps of at most this; what parts from the other one does so to within a step.
+/// Adds what of an edge the lines do not have. It is looked at in steps; what parts from the lines does so to
+/// within one.
+void addMissing(Point from, Point to, bool worked, const DrivenLines& lines, Stretches& stretches) {
     constexpr double kStepM = 0.5;
+    const Point way = to - from;
+    const auto steps = static_cast<std::size_t>(std::ceil(norm(way) / kStepM));
+    const auto at = [&](double step) { return from + (step / static_cast<double>(steps)) * way; };
+    // Neighbouring steps that differ become one edge. Its ends as they are: the next edge goes on from there.
+    std::size_t first = 0;
+    const auto addUpTo = [&](std::size_t step) {
+        if (first < step) {
+            stretches.add(worked, first == 0 ? from : at(static_cast<double>(first)),
+                          step == steps ? to : at(static_cast<double>(step)));
+        }
+        first = step + 1;
+    };
+    for (std::size_t step = 0; step < steps; ++step) {
+        if (lines.has(at(static_cast<double>(step) + 0.5), way)) {
+            addUpTo(step);
+        }
+    }
+    addUpTo(steps);
+}
+
+std::vector<DifferentStretch> drivenOnlyIn(const Path& path, const Path& other) {
     const DrivenLines passes{other, true};
     const DrivenLines ways{other, false};
     Stretches stretches;
@@ -120,25 +141,8 @@ std::vector<DifferentStretch> drivenOnlyIn(const Path& path, const Path& other) 
         const bool worked = isWorkedPass(segment);
         const DrivenLines& lines = worked ? passes : ways;
         for (std::size_t i = 1; i < segment.samples.size(); ++i) {
-            const Point a = segment.samples[i - 1].position;
-            const Point way = segment.samples[i].position - a;
-            const double lengthM = norm(way);
-            const auto steps = static_cast<std::size_t>(std::ceil(lengthM / kStepM));
-            // Neighbouring steps that differ become one edge.
-            std::size_t first = 0;
-            for (std::size_t step = 0; step <= steps; ++step) {
-                const auto at = [&](double k) { return a + (k / static_cast<double>(steps)) * way; };
-                const bool differs = step < steps && !lines.has(at(static_cast<double>(step) + 0.5), way);
-                if (!differs) {
-                    if (first < step) {
-                        // The end as it is: the next edge goes on from there.
-                        stretches.add(
-                            worked, first == 0 ? a : at(static_cast<double>(first)),
-                            step == steps ? segment.samples[i].position : at(static_cast<double>(step)));
-                    }
-                    first = step + 1;
-                }
-            }
+            addMissing(segment.samples[i - 1].position, segment.samples[i].position, worked, lines,
+                       stretches);
         }
     }
     return stretches.take();
@@ -151,11 +155,7 @@ std::optional<double> squareMetresOf(const std::optional<Area>& area) {
 }  // namespace
 
 Length DifferentStretch::length() const {
-    double sumM = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        sumM += distance(line[i - 1], line[i]);
-    }
-    return metres(sumM);
+    return metres(lengthM(line));
 }
 
 Length lengthOf(const std::vector<DifferentStretch>& stretches, bool worked) {
