@@ -273,17 +273,13 @@ Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, KnownPieces&
             kept.push_back(std::move(piece));
             continue;
         }
-        auto parts = known.find(piece);
+        auto parts = known.get(piece, [&](const Polygon& whole) {
+            return eroded({whole}, 0.5 * hair, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
+                return dilated(cores, 0.5 * hair, kArcTolerance, job);
+            });
+        });
         if (!parts) {
-            auto made =
-                eroded({piece}, 0.5 * hair, kArcTolerance, job).and_then([&](const MultiPolygon& cores) {
-                    return dilated(cores, 0.5 * hair, kArcTolerance, job);
-                });
-            if (!made) {
-                return made;
-            }
-            known.add(piece, *made);
-            parts = *std::move(made);
+            return parts;
         }
         std::ranges::move(*parts, std::back_inserter(kept));
     }

@@ -295,18 +295,14 @@ Result<MultiPolygon> partsWithRoom(const MultiPolygon& polygons, const WorkingRo
             continue;
         }
         looked += area(polygon);
-        auto some = known != nullptr ? known->find(polygon) : std::nullopt;
-        if (!some) {
+        const auto withRoom = [&](const Polygon& piece) {
             const double sizeM =
-                std::clamp(std::sqrt(area(polygon).si()) / kSquaresAcross, finestM, kLargestSquareM);
-            auto made = partsOf(polygon, room, sizeM, job);
-            if (!made) {
-                return made;
-            }
-            if (known != nullptr) {
-                known->add(polygon, *made);
-            }
-            some = *std::move(made);
+                std::clamp(std::sqrt(area(piece).si()) / kSquaresAcross, finestM, kLargestSquareM);
+            return partsOf(piece, room, sizeM, job);
+        };
+        auto some = known != nullptr ? known->get(polygon, withRoom) : withRoom(polygon);
+        if (!some) {
+            return some;
         }
         std::ranges::move(*some, std::back_inserter(parts));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/result.h"
 #include "planner/geometry/polygon.h"
 
 #include <cstddef>
@@ -35,6 +36,20 @@ public:
             known_.clear();
         }
         known_.emplace(std::move(key), std::move(value));
+    }
+
+    /// What was added for this polygon, or what `make(polygon)` makes of it now, which is added. Errors:
+    /// those of `make`; they are not kept.
+    template <class Make>
+    Result<Value> get(const Polygon& polygon, const Make& make) {
+        if (auto known = find(polygon)) {
+            return *std::move(known);
+        }
+        Result<Value> made = make(polygon);
+        if (made) {
+            add(polygon, *made);
+        }
+        return made;
     }
 
 private:
