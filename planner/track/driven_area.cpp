@@ -4,7 +4,6 @@
 #include "planner/track/driven_strips.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace furrow {
@@ -29,7 +28,7 @@ void addStrips(MultiPolygon& strips, const RecordedTrack& track, const Ring& pla
                const std::vector<std::optional<TrackMatch>>& matches, double halfM) {
     Polyline worked{places.front()};  // without a break
     for (std::size_t i = 1; i < places.size(); ++i) {
-        const double length = std::hypot(places[i].x - worked.back().x, places[i].y - worked.back().y);
+        const double length = distance(worked.back(), places[i]);
         if (length < kLeastStepM) {
             continue;
         }

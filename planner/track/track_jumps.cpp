@@ -1,7 +1,6 @@
 #include "planner/track/track_jumps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -22,10 +21,6 @@ constexpr double kPausedShare = 0.1;
 constexpr std::size_t kDoubtfulShare = 20;
 // 144 km/h.
 constexpr double kFastestMps = 40.0;
-
-double distanceM(Point a, Point b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 /// Half of the steps are shorter; 0 for a track that stands still.
 double usualStepM(std::vector<double> steps) {
@@ -69,7 +64,7 @@ bool isFasterThanAnyMachine(const std::vector<double>& steps, const std::vector<
 SteadyTrack withoutJumps(const Polyline& places, const std::vector<std::optional<double>>& times) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < places.size(); ++i) {
-        steps.push_back(distanceM(places[i - 1], places[i]));
+        steps.push_back(distance(places[i - 1], places[i]));
     }
     const double usual = usualStepM(steps);
     const double farM = std::max(kLeastJumpM, kStepsOfJump * usual);
@@ -97,11 +92,11 @@ SteadyTrack withoutJumps(const Polyline& places, const std::vector<std::optional
     }
     while (i < places.size()) {
         const Point last = places[steady.kept.back()];
-        const double in = distanceM(last, places[i]);
+        const double in = distance(last, places[i]);
         std::size_t back = i;
         for (std::size_t k = i + 1; judged && in > farM && k < places.size() && k <= i + kLongestJump; ++k) {
-            const double out = distanceM(places[k - 1], places[k]);
-            const bool isNear = distanceM(last, places[k]) < 0.5 * std::min(in, out);
+            const double out = distance(places[k - 1], places[k]);
+            const bool isNear = distance(last, places[k]) < 0.5 * std::min(in, out);
             if (out > farM && isNear) {
                 back = k;
                 break;

@@ -173,8 +173,7 @@ void dropSmallPieces(MultiPolygon& pieces) {
 /// What a line goes around; nothing where it goes around nothing. `gapM` is between its end and its
 /// beginning.
 Result<MultiPolygon> enclosedBy(Polyline line, Length width, double& gapM, const JobContext& job) {
-    const Point way = line.front() - line.back();
-    gapM = std::hypot(way.x, way.y);
+    gapM = distance(line.back(), line.front());
     if (gapM <= std::max(kGapOfRound * lengthM(line), 2.0 * width.si())) {
         line.push_back(line.front());
     }
@@ -196,13 +195,9 @@ Result<MultiPolygon> nested(MultiPolygon loops, const JobContext& job) {
     for (const Polygon& loop : loops) {
         const bool isHole = std::ranges::any_of(
             outline, [&loop](const Polygon& piece) { return isInside(piece.outer, loop.outer.front()); });
-        auto next = isHole ? difference(outline, {loop}, job)
-                           : unionOf(
-                                 [&] {
-                                     outline.push_back(loop);
-                                     return outline;
-                                 }(),
-                                 job);
+        MultiPolygon withLoop = outline;
+        withLoop.push_back(loop);
+        auto next = isHole ? difference(outline, {loop}, job) : unionOf(withLoop, job);
         if (!next) {
             return next;
         }
@@ -265,9 +260,7 @@ void addWorked(std::vector<Polyline>& stretches, const DrivenLine& line) {
             end();
             continue;
         }
-        const double step = stretch.empty() ? 0.0
-                                            : std::hypot(line.places[i].x - stretch.back().x,
-                                                         line.places[i].y - stretch.back().y);
+        const double step = stretch.empty() ? 0.0 : distance(stretch.back(), line.places[i]);
         if (step > line.longestStepM) {
             end();
         }
@@ -402,7 +395,7 @@ TrackKind kindOf(const RoundOutline& round, const MultiPolygon& strips, const Dr
         return TrackKind::Round;
     }
     double edgeM = 0.0;
-    forEachEdge(whole, [&edgeM](Point from, Point to) { edgeM += std::hypot(to.x - from.x, to.y - from.y); });
+    forEachEdge(whole, [&edgeM](Point from, Point to) { edgeM += distance(from, to); });
     // Swaths to and fro enclose every other strip, a single round nearly all of the land.
     const bool isOneRound = area(round.outline) > kLeastRoundShare * area(whole);
     return isOneRound && driven.lengthM() < kLongWay * edgeM ? TrackKind::Round : TrackKind::Worked;
