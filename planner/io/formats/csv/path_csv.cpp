@@ -60,15 +60,14 @@ public:
         std::array<double, kNumbers> value{};
         for (std::size_t i = 0; i < value.size(); ++i) {
             const std::string_view cell = at_[i] < cells.size() ? cells[at_[i]] : std::string_view{};
-            const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value[i]);
-            if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value[i])) {
+            if (!readNumber(cell, value[i])) {
                 return std::unexpected(
                     damagedPlan(place, message("{} is '{}', which is no number", kColumns[i], cell)));
             }
         }
         const std::string_view held = level_ < cells.size() ? cells[level_] : std::string_view{};
-        const auto level = numberOrNone(held);
-        if (!level) {
+        std::optional<double> level;
+        if (!held.empty() && !readNumber(held, level.emplace())) {
             return std::unexpected(
                 damagedPlan(place, message("{} is '{}', which is no number", kLevel, held)));
         }
@@ -82,7 +81,7 @@ public:
             if (!path.segments.empty()) {
                 // Between two segments it changes only where the machine stands at a refill point.
                 PathSegment& before = path.segments.back();
-                before.refills = before.samples.back().level != *level;
+                before.refills = before.samples.back().level != level;
             }
             path.segments.push_back({.kind = *kind,
                                      .gear = value[kGear] < 0.0 ? Gear::Reverse : Gear::Forward,
@@ -94,23 +93,16 @@ public:
                                                 .headingRad = value[kHeading],
                                                 .curvature1pm = value[kCurvature],
                                                 .speedMps = value[kSpeed],
-                                                .level = *level});
+                                                .level = level});
         return {};
     }
 
     Path path;
 
 private:
-    /// Nothing where there is no text; an error where it is no number.
-    static std::optional<std::optional<double>> numberOrNone(std::string_view text) {
-        double number = 0.0;
-        if (text.empty()) {
-            return std::optional<double>{};
-        }
+    static bool readNumber(std::string_view text, double& number) {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number)
-                   ? std::optional{std::optional{number}}
-                   : std::nullopt;
+        return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
     }
 
     const std::string& where_;
