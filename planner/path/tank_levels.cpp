@@ -35,14 +35,14 @@ double addLevels(Path& path, const TankWork& work) {
     return beyond;
 }
 
-bool leadsToRefill(std::span<const PathSegment> segments, std::size_t segment) {
+Message tripName(std::span<const PathSegment> segments, std::size_t segment, bool gathers) {
     while (segment < segments.size() && segments[segment].kind == SegmentKind::Refill) {
         if (segments[segment].refills) {
-            return true;
+            return gathers ? "Way to unload" : "Way to refill";
         }
         ++segment;
     }
-    return false;
+    return "Way back to work";
 }
 
 }  // namespace furrow

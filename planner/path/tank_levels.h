@@ -16,8 +16,6 @@ struct TankWork {
     double perMetre = 0.0;  ///< of way with the implement down, not negative
     bool gathers = false;   ///< a bunker that fills; otherwise a tank that empties
 
-    double fresh() const { return gathers ? 0.0 : capacity; }
-
     friend bool operator==(const TankWork&, const TankWork&) = default;
 };
 
@@ -29,8 +27,8 @@ std::optional<TankWork> tankWork(const Machine& machine, const Operation& operat
 /// @return by how much the work between two stops goes beyond the capacity at most; 0 if it never does
 double addLevels(Path& path, const TankWork& work);
 
-/// Whether a segment of kind Refill leads to a refill point; otherwise it leads back to work. Cost:
-/// O(segments of the trip).
-bool leadsToRefill(std::span<const PathSegment> segments, std::size_t segment);
+/// What a segment of kind Refill is called: it leads to a refill point, or back to work. Cost: O(segments of
+/// the trip).
+Message tripName(std::span<const PathSegment> segments, std::size_t segment, bool gathers);
 
 }  // namespace furrow

@@ -202,9 +202,7 @@ QString DriveThrough::stateText() const {
         parts << sentence(nameOf(turnShape(std::span{&segment, 1})));
     } else if (segment.kind == SegmentKind::Refill) {
         const bool unloads = plan_->refill && plan_->refill->work.gathers;
-        parts << (!leadsToRefill(plan_->path.segments, state_.segment) ? tr("Way back to work")
-                  : unloads                                            ? tr("Way to unload")
-                                                                       : tr("Way to refill"));
+        parts << sentence(tripName(plan_->path.segments, state_.segment, unloads));
     } else {
         parts << (segment.implementDown ? sentence(nameOf(segment)) : tr("Way without work"));
     }

@@ -181,9 +181,7 @@ void addTurn(InspectorText& text, const Plan& plan, std::size_t index) {
 void addRefill(InspectorText& text, const Plan& plan, std::size_t index) {
     const PathSegment& segment = plan.path.segments[index];
     const bool unloads = plan.refill && plan.refill->work.gathers;
-    text.title = !leadsToRefill(plan.path.segments, index) ? Words::tr("Way back to work")
-                 : unloads                                 ? Words::tr("Way to unload")
-                                                           : Words::tr("Way to refill");
+    text.title = sentence(tripName(plan.path.segments, index, unloads));
     text.sentence = Words::tr("%1 without working, in %2.")
                         .arg(metresText(segment.length(), 1), exactDurationText(segment.duration()));
     const auto& tank = plan.request.machine.spec().tank;
