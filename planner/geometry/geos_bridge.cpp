@@ -88,12 +88,22 @@ Result<MultiPolygon> thinned(const MultiPolygon& polygons, double slackM, const 
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
+/// Without tips that no disc of the distance gets into.
+MultiPolygon blunted(const MultiPolygon& polygons, double distanceM) {
+    MultiPolygon blunt = polygons;
+    for (Polygon& polygon : blunt) {
+        if (isJagged(polygon)) {
+            polygon = withoutThinTips(polygon, metres(std::min(kThinTipM, kThinTipShare * distanceM)));
+        }
+    }
+    return blunt;
+}
+
 /// Moved inwards until few vertices are left, then all the rest of the way. What thinning may add is taken
 /// off again: the result lies within that of one step.
 Result<MultiPolygon> erodedInSteps(const Polygon& polygon, double distanceM, double toleranceM,
                                    const JobContext& job) {
-    // No disc of the distance gets into these.
-    MultiPolygon left{withoutThinTips(polygon, metres(std::min(kThinTipM, kThinTipShare * distanceM)))};
+    MultiPolygon left{polygon};
     // As far as the vertices are apart if all lie around the polygon.
     const Bounds box = bounds(left);
     double stepM = (box.width() + box.height()) / static_cast<double>(vertexCount(left));
@@ -189,8 +199,9 @@ Result<MultiPolygon> erodedSharp(const MultiPolygon& polygons, Length distance, 
         .transform([](const Geometry& result) { return fromGeos(result.get()); });
 }
 
-Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
+Result<MultiPolygon> eroded(const MultiPolygon& given, Length distance, Length tolerance,
                             const JobContext& job) {
+    const MultiPolygon polygons = blunted(given, distance.si());
     if (vertexCount(polygons) <= kDenseVertices) {
         return erodedEach(polygons, distance.si(), tolerance.si(), job);
     }
