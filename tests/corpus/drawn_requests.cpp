@@ -67,9 +67,9 @@ Ring combRing(Draw& draw, double radiusM) {
 }
 
 /// Holes side by side in a square, which may touch each other and the edge.
-Polygon sieve(Draw& draw, double radiusM) {
+Polygon sieve(Draw& draw, double radiusM, std::size_t mostAcross) {
     Polygon polygon = rectangle(2.0 * radiusM, 2.0 * radiusM);
-    const std::size_t across = 1 + draw.index(6);
+    const std::size_t across = 1 + draw.index(mostAcross);
     const double step = 2.0 * radiusM / static_cast<double>(across);
     const std::array shares{0.02, 0.3, 0.9, 1.0, 1.02};
     const double size = shares[draw.index(shares.size())] * step;
@@ -83,8 +83,10 @@ Polygon sieve(Draw& draw, double radiusM) {
     return polygon;
 }
 
-MultiPolygon shape(Draw& draw, std::string& told) {
-    const double radiusM = draw.scaled(3.0, draw.chance(0.1) ? 1500.0 : 150.0);
+MultiPolygon shape(Draw& draw, DrawnSize size, std::string& told) {
+    const bool isSmall = size == DrawnSize::Small;
+    const double mostM = draw.chance(0.1) ? 1500.0 : 150.0;
+    const double radiusM = isSmall ? draw.scaled(8.0, 25.0) : draw.scaled(3.0, mostM);
     const std::size_t kind = draw.index(kShapes.size() + 4);
     told = std::format("kind {}, {:.1f} m", kind, radiusM);
     if (kind < kShapes.size()) {
@@ -93,10 +95,10 @@ MultiPolygon shape(Draw& draw, std::string& told) {
     switch (kind - kShapes.size()) {
         case 0: return {{.outer = spikyRing(draw, radiusM), .holes = {}}};
         case 1: return {{.outer = combRing(draw, radiusM), .holes = {}}};
-        case 2: return {sieve(draw, radiusM)};
+        case 2: return {sieve(draw, radiusM, isSmall ? 2 : 6)};
         default: {
             MultiPolygon parts;
-            const std::size_t count = 2 + draw.index(12);
+            const std::size_t count = 2 + draw.index(isSmall ? 2 : 12);
             const double gapM = draw.chance(0.5) ? 0.0 : draw.scaled(1e-3, 10.0);
             for (std::size_t i = 0; i < count; ++i) {
                 parts.push_back(
@@ -163,10 +165,10 @@ GeoPoint centre(Draw& draw) {
                             : GeoPoint{draw.between(-179.0, 179.0), draw.between(-60.0, 70.0)};
 }
 
-FieldSource fieldSource(Draw& draw, std::string& told) {
-    MultiPolygon polygons = shape(draw, told);
-    if (draw.chance(0.5)) {
-        for (std::size_t i = 1 + draw.index(4); i > 0; --i) {
+FieldSource fieldSource(Draw& draw, DrawnSize size, std::string& told) {
+    MultiPolygon polygons = shape(draw, size, told);
+    if (draw.chance(0.4)) {
+        for (std::size_t i = 1 + draw.index(2); i > 0; --i) {
             damage(draw, polygons, told);
         }
     }
@@ -291,10 +293,10 @@ Settings settings(Draw& draw, const FieldSource& field, DrawnRequest& drawn) {
 
 }  // namespace
 
-DrawnRequest drawnRequest(std::uint64_t seed) {
+DrawnRequest drawnRequest(std::uint64_t seed, DrawnSize size) {
     Draw draw{seed};
     DrawnRequest drawn;
-    drawn.field = fieldSource(draw, drawn.told);
+    drawn.field = fieldSource(draw, size, drawn.told);
     drawn.field.name = std::format("Seed {}", seed);
     drawn.machine = machineSpec(draw, drawn.told);
     drawn.told += ";";

@@ -10,6 +10,9 @@
 
 namespace furrow::test {
 
+/// Small ones are no wider than 50 m, with few parts and holes: a second for each.
+enum class DrawnSize { Any, Small };
+
 /// A field, a machine and settings that nobody chose, with what was refused while they were put together.
 struct DrawnRequest {
     FieldSource field;
@@ -22,11 +25,11 @@ struct DrawnRequest {
 };
 
 /// The same seed draws the same on every computer. Fields of 3 to 1,500 m: convex, with bays, holes, stars,
-/// combs and strips, in one part or several; half of them damaged: points repeated or almost, spikes,
+/// combs and strips, in one part or several; two of five damaged: points repeated or almost, spikes,
 /// slivers, holes that touch each other or the boundary, crossings, points moved to others. Obstacles and
 /// gates beside. Half of the machines are of the library, others have some values anywhere in the ranges of
 /// machine_keys.h. Settings: none, some or many of the method registry, within their ranges; text ones with
 /// lines, places and numbers about the field.
-DrawnRequest drawnRequest(std::uint64_t seed);
+DrawnRequest drawnRequest(std::uint64_t seed, DrawnSize size = DrawnSize::Any);
 
 }  // namespace furrow::test

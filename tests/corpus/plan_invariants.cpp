@@ -135,8 +135,8 @@ double stoppedAfter(const PlanRequest& request, std::chrono::milliseconds delay)
 
 }  // namespace
 
-DrawnVerdict verdictOn(std::uint64_t seed) {
-    const DrawnRequest drawn = drawnRequest(seed);
+DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size) {
+    const DrawnRequest drawn = drawnRequest(seed, size);
     DrawnVerdict verdict;
     const std::clock_t begun = std::clock();
     for (const Error& error : drawn.refused) {

@@ -21,6 +21,6 @@ struct DrawnVerdict {
 /// Plans and audits a drawn request, and looks at what must hold of every plan: an error says what is wrong
 /// and what to do; no number that is none; swaths inside of the mainland; JSON that can be read. Every third
 /// one is planned by one thread and by two and has to be the same; every other third is stopped meanwhile.
-DrawnVerdict verdictOn(std::uint64_t seed);
+DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size = DrawnSize::Any);
 
 }  // namespace furrow::test
