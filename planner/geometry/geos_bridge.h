@@ -18,7 +18,7 @@ namespace furrow {
 inline constexpr Length kArcTolerance = metres(0.01);
 
 /// The area at least `distance` inside. Corners that point inwards become arcs drawn to `tolerance`. Of a
-/// polygon of over 2,000 vertices it may lie 5 cm farther inside, of more than 20,000 in all 10 cm.
+/// polygon of over 2,000 sharp corners it may lie 5 cm farther inside, of over 20,000 vertices 10 cm.
 Result<MultiPolygon> eroded(const MultiPolygon& polygons, Length distance, Length tolerance,
                             const JobContext& job);
 
