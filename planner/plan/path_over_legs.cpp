@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace furrow {
@@ -23,10 +24,10 @@ namespace {
 
 // An eased path is shorter than its legs by less than this.
 constexpr double kEasedShare = 0.995;
-// Between more legs than this, only so many ways are searched thoroughly where a quick search found none. A
-// thorough one that fails takes up to half a second.
-constexpr std::size_t kManyLegs = 1'000;
-constexpr std::size_t kMostThorough = 200;
+// A search that fails takes up to half a second. After so many of them the ways of all further legs are
+// searched quickly. That is looked at from time to time, so that the number of threads does not matter.
+constexpr std::size_t kMostFailed = 25;
+constexpr std::size_t kLegsAtOnce = 64;
 
 /// The rooms of an area in several polygons. A search that fails goes through all of one.
 Result<std::optional<DrivenParts>> roomsApart(const MultiPolygon& area, const Tractor& tractor,
@@ -66,44 +67,18 @@ std::optional<Curve> PathOverLegs::way(const Leg& from, const Leg& to, const Job
     return way ? way : ways_(from.line.end(), to.line.start, job, effort);
 }
 
-Result<std::vector<SearchEffort>> PathOverLegs::effortsFor(const std::vector<Leg>& legs,
-                                                           const std::optional<DrivenParts>& rooms,
-                                                           const JobContext& job) const {
-    std::vector<SearchEffort> efforts(legs.size(), SearchEffort::Thorough);
-    if (legs.size() <= kManyLegs) {
-        return efforts;
-    }
-    // One after the other: quick searches look less far once one of them has failed.
-    std::size_t thorough = 0;
-    for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
-        if (job.stopRequested()) {
-            return std::unexpected(cancelled());
-        }
-        const bool isEasy = areApart(legs[i], legs[i + 1], rooms) ||
-                            way(legs[i], legs[i + 1], job.withoutProgress(), SearchEffort::Quick);
-        if (isEasy || ++thorough > kMostThorough) {
-            efforts[i] = SearchEffort::Quick;
-        }
-    }
-    return efforts;
-}
-
 Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Folding folding,
                                                 const std::optional<DrivenParts>& rooms, Missing& missing,
                                                 const JobContext& job) const {
     const Settings& settings = task_.request.settings;
     const Machine& machine = task_.request.machine;
-    const auto efforts = effortsFor(legs, rooms, job);
-    if (!efforts) {
-        return std::unexpected(efforts.error());
-    }
     std::atomic<std::size_t> inAll{0};
     std::atomic<std::size_t> within{0};
+    SearchEffort effort = SearchEffort::Thorough;
     const auto wayBetween = [&](const Leg& from, const Leg& to, const JobContext& piece) {
         const Pose leaving = from.line.end();
         const Pose arriving = to.line.start;
         const bool mayLead = !areApart(from, to, rooms);
-        const SearchEffort effort = (*efforts)[static_cast<std::size_t>(&from - legs.data())];
         if (auto raised = mayLead ? way(from, to, piece, effort) : std::nullopt) {
             return WayBetween{.line = *std::move(raised)};
         }
@@ -116,7 +91,27 @@ Result<std::vector<Leg>> PathOverLegs::joinedBy(const std::vector<Leg>& legs, Fo
         within += mayLead ? 1 : 0;
         return WayBetween{.line = connection(leaving, arriving, machine, otherTurns(settings))};
     };
-    auto all = joinedLegs(legs, machine, wayBetween, job);
+    std::vector<Leg> all;
+    std::size_t end = 0;
+    for (std::size_t begin = 0; end < legs.size(); begin += kLegsAtOnce) {
+        // The first leg of the next ones ends these.
+        end = std::min(begin + kLegsAtOnce + 1, legs.size());
+        const auto share = [&](std::size_t leg) {
+            return static_cast<double>(leg) / static_cast<double>(legs.size());
+        };
+        auto some = joinedLegs(std::span{legs}.subspan(begin, end - begin), machine, wayBetween,
+                               job.part(share(begin), share(end)));
+        if (!some) {
+            return some;
+        }
+        if (end < legs.size()) {
+            some->pop_back();
+        }
+        std::ranges::move(*some, std::back_inserter(all));
+        if (within > kMostFailed) {
+            effort = SearchEffort::Quick;
+        }
+    }
     missing = {.inAll = inAll, .within = within};
     return all;
 }
@@ -130,7 +125,7 @@ Result<std::vector<Leg>> PathOverLegs::reordered(std::vector<Leg> legs, const Mi
     }
     legs = partByPart(std::move(legs), *parts);
     // Each takes some dozen searches.
-    if (missing.within > kMostThorough) {
+    if (missing.within > kMostFailed) {
         return legs;
     }
     legs = withWaysBetween(std::move(legs), ways_, room_.steering.lowered, *parts, job);

@@ -82,11 +82,6 @@ private:
     Result<std::vector<Leg>> joinedBy(const std::vector<Leg>& legs, Folding folding,
                                       const std::optional<DrivenParts>& rooms, Missing& missing,
                                       const JobContext& job) const;
-    /// How each leg's way to the next is searched. Of many legs only the first ways that are not found
-    /// quickly are searched thoroughly, whatever the number of threads.
-    Result<std::vector<SearchEffort>> effortsFor(const std::vector<Leg>& legs,
-                                                 const std::optional<DrivenParts>& rooms,
-                                                 const JobContext& job) const;
     /// The legs in an order in which more ways lead from each to the next.
     Result<std::vector<Leg>> reordered(std::vector<Leg> legs, const Missing& missing,
                                        const JobContext& job) const;
