@@ -21,6 +21,9 @@ constexpr std::size_t kMostStarts = 400;
 // If none of these places allows a way, no other place does.
 constexpr std::size_t kMostChecked = 150;
 constexpr std::size_t kMostPlacesTried = 5;
+// Where no way leads to so many short passes, none is searched to the others: each takes some tenths of a
+// second.
+constexpr std::size_t kMostRefused = 25;
 constexpr Length kCheckStep = metres(0.25);
 // A trailed implement comes into line within 3 of its own lengths after a bend.
 constexpr double kLengthsIntoLine = 3.0;
@@ -314,6 +317,10 @@ FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<Headl
                                  RememberedWays& ways, const JobContext& job) {
     FinishedLegs finished{.legs = std::move(given), .put = {}, .refused = {}};
     for (const HeadlandPass& pass : passes) {
+        if (finished.refused.size() >= kMostRefused) {
+            finished.refused.push_back(pass);
+            continue;
+        }
         const Leg leg = legOf(pass, pass.stretches.front());
         const PassPlace place = placeFor(leg.line, finished.legs, ways, job);
         if (place.access != PassAccess::There) {
