@@ -25,6 +25,7 @@ T.Popup {
     padding: 24
     closePolicy: writing ? T.Popup.NoAutoClose : T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {
+        scroller.toEnd = false;
         stick.clear();
         stick.searching = true;
         folderPage.begin();
@@ -124,6 +125,19 @@ T.Popup {
             boundsBehavior: Flickable.StopAtBounds
             // Fractions of a pixel are nothing to scroll for.
             interactive: contentHeight > height + 1
+            onContentHeightChanged: {
+                if (toEnd)
+                    showEnd();
+            }
+            onMovementStarted: toEnd = false
+
+            /// What came of it stands at the end, which grows with it.
+            property bool toEnd: false
+
+            function showEnd(): void {
+                toEnd = true;
+                contentY = Math.max(0, contentHeight - height);
+            }
 
             T.ScrollBar.vertical: T.ScrollBar {
                 id: bar
@@ -148,8 +162,7 @@ T.Popup {
                     width: parent.width
                     visible: onStick.checked
                     stick: root.stick
-                    // What came of it is at the end.
-                    onFinished: scroller.contentY = Math.max(0, scroller.contentHeight - scroller.height)
+                    onFinished: scroller.showEnd()
                 }
                 ExportFolderPage {
                     id: folderPage
@@ -157,7 +170,7 @@ T.Popup {
                     width: parent.width
                     visible: inFolder.checked
                     exporter: root.exporter
-                    onFinished: scroller.contentY = Math.max(0, scroller.contentHeight - scroller.height)
+                    onFinished: scroller.showEnd()
                     // Not two things that scroll, one in the other, where there is little room.
                     roomForFormats: windowHeight < 480 ? 1e6 : Math.max(160, windowHeight - 430)
                 }

@@ -159,6 +159,13 @@ Column {
         text: root.exporter.message
         remedy: root.exporter.remedy
     }
+    NoticeBar {
+        objectName: "export.failures"
+        width: parent.width
+        visible: text.length > 0
+        failed: true
+        text: root.exporter.failures.join("\n")
+    }
     Row {
         width: parent.width
         visible: root.exporter.state === ExportModel.Done
@@ -189,13 +196,6 @@ Column {
         visible: root.exporter.state === ExportModel.Done
         checks: root.exporter.checks
         problems: root.exporter.problems
-    }
-    NoticeBar {
-        objectName: "export.failures"
-        width: parent.width
-        visible: text.length > 0
-        failed: true
-        text: root.exporter.failures.join("\n")
     }
     NoticeBar {
         objectName: "export.notes"

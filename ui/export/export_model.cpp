@@ -227,10 +227,11 @@ void ExportModel::writeSeveral(const std::filesystem::path& folder,
             checks_ = outcome.checks;
             if (!written) {
                 fail(written.error());
-            } else if (outcome.exported.done == 0) {
+            } else if (outcome.exported.written.empty()) {
                 setState(State::Failed, [] { return tr("None of the fields could be exported."); });
             } else {
-                setState(State::Done, [place, done = outcome.exported.done, files = outcome.files] {
+                setState(State::Done, [place, done = static_cast<int>(outcome.exported.written.size()),
+                                       files = outcome.files] {
                     return tr("%n field(s) written to %1", nullptr, done).arg(place) + QStringLiteral(": ") +
                            tr("%n file(s)", nullptr, files);
                 });

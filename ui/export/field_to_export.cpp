@@ -57,7 +57,7 @@ QStringList FieldsExported::failureTexts() const {
     for (const Failure& failure : failures) {
         QStringList parts{sentence(failure.error.what), sentence(failure.error.remedy)};
         parts.removeAll(QString{});
-        texts << Text::tr("%1: %2").arg(fromStd(failure.field), parts.join(QLatin1Char(' ')));
+        texts << Text::tr("%1: %2").arg(fromStd(failure.field), parts.join(QStringLiteral(". ")) + u'.');
     }
     return texts;
 }
@@ -102,7 +102,7 @@ Result<FieldsExported> exportEach(
             }
             continue;
         }
-        ++exported.done;
+        exported.written.push_back(field);
         if (!(*plan)->drivable()) {
             exported.withProblems.push_back(field.name());
         }

@@ -47,7 +47,8 @@ struct FieldsExported {
         PlanResult result;
     };
 
-    int done = 0;
+    /// Those that are in the files.
+    std::vector<FieldToExport> written;
     std::vector<Made> made;
     std::vector<Failure> failures;
     /// Names of fields that are exported with a plan that cannot be driven.

@@ -341,17 +341,17 @@ void StickExport::write(bool replace) {
             const auto addTo = [&farm](const Plan& plan, const JobContext& part) {
                 return farm.add(plan, part);
             };
-            report =
-                exportEach(fields, addTo, job.part(0.0, 0.7))
-                    .and_then([&](const FieldsExported& each) -> Result<FormatFiles> {
-                        exported = each;
-                        return each.done > 0 ? farm.files(job) : std::unexpected(each.failures.front().error);
-                    })
-                    .and_then([&](const FormatFiles& files) {
-                        return writeToStick(*stick, files, farm.fields(), replace, job.part(0.7, 1.0));
-                    });
+            report = exportEach(fields, addTo, job.part(0.0, 0.7))
+                         .and_then([&](const FieldsExported& each) -> Result<FormatFiles> {
+                             exported = each;
+                             return each.written.empty() ? std::unexpected(each.failures.front().error)
+                                                         : farm.files(job);
+                         })
+                         .and_then([&](const FormatFiles& files) {
+                             return writeToStick(*stick, files, farm.fields(), replace, job.part(0.7, 1.0));
+                         });
         }
-        return [this, title, fields, exported, isFolder, report = std::move(report)] {
+        return [this, title, exported, isFolder, report = std::move(report)] {
             exported_ = exported;
             emit planned(exported_.made);
             if (!report) {
@@ -364,7 +364,7 @@ void StickExport::write(bool replace) {
                 return;
             }
             writtenTitle_ = title;
-            writtenFields_ = fields;
+            writtenFields_ = exported.written;
             written_.clear();
             for (const std::filesystem::path& file : report->files) {
                 written_ << QString::fromStdU16String(file.u16string());
@@ -372,7 +372,8 @@ void StickExport::write(bool replace) {
             notes_ = report->notes;
             checks_ = report->checks;
             backups_ = joined(report->backups);
-            setState(State::Done, [isFolder, several = !fields.empty(), compared = report->contentCompared] {
+            setState(State::Done, [isFolder, several = !writtenFields_.empty(),
+                                   compared = report->contentCompared] {
                 const QString checked =
                     compared
                         ? (several

@@ -150,6 +150,8 @@ void TestFarmWindow::exportedTogether() {
     // The small one is told, the others are there: a folder each, one set of task data with the three.
     QCOMPARE(exporter().failures().size(), 1);
     QVERIFY2(exporter().failures().front().startsWith("Corner: "), qPrintable(exporter().failures().front()));
+    QVERIFY2(exporter().failures().front().contains("field. Choose"),
+             qPrintable(exporter().failures().front()));
     QVERIFY2(exporter().message().startsWith("3 fields written"), qPrintable(exporter().message()));
     QCOMPARE(exporter().problems(), QStringList{});
     QVERIFY(exporter().checks() > 5);
@@ -166,6 +168,10 @@ void TestFarmWindow::exportedTogether() {
     QCOMPARE(list().stateOf(2), FarmList::Drivable);
     QTRY_VERIFY(item("export.failures")->isVisible());
     waitForRest(*item("export.write"));
+    // It is seen without scrolling.
+    const QQuickItem& told = *item("export.failures");
+    QTRY_VERIFY(told.mapToScene({0.0, told.height()}).y() <=
+                item("export.write")->mapToScene({0.0, 0.0}).y());
     picture("farm_export_done");
     key(Qt::Key_Escape);
     QTRY_VERIFY(item("export.write") == nullptr || !item("export.write")->isVisible());
@@ -219,6 +225,8 @@ void TestFarmWindow::exportedToAStick() {
     QCOMPARE(stick.failures().size(), 1);
     QVERIFY(stick.message().startsWith("Safe to unplug"));
     QVERIFY2(stick.message().contains("these"), qPrintable(stick.message()));
+    // The field that is not on the stick is not among them.
+    QCOMPARE(stick.writtenPlan(), QStringLiteral("Field 1, Field 2, Field 3"));
     QCOMPARE(readFields(folder.filePath("TASKDATA").toStdU16String())->fields.size(), std::size_t{3});
     waitForRest(*item("export.write"));
     picture("farm_export_stick");
