@@ -225,6 +225,10 @@ FocusScope {
     }
     function fitField(animated: bool): void {
         if (!root.drawing.empty)
-            camera.fit(root.drawing.bounds, 84, 72, 48, 72, animated);
+            root.fitArea(root.drawing.bounds, animated);
+    }
+    /// Beside the tools and the status.
+    function fitArea(area: geoRectangle, animated: bool): void {
+        camera.fit(area, tools.x + tools.width + 22, 72, 48, 72, animated);
     }
 }

@@ -103,7 +103,7 @@ Item {
         function onOutlined(area: geoRectangle): void {
             root.farmGivesWay();
             root.guideOpen = false;
-            root.page.camera.fit(area, 84, 72, 48, 72, true);
+            root.page.fitArea(area, true);
         }
         function onLayRequested(): void {
             root.closeOthers();

@@ -356,7 +356,7 @@ ApplicationWindow {
 
             z: 1
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
-            onGoRequested: page.camera.fit(area, 84, 72, 48, 72, true)
+            onGoRequested: page.fitArea(area, true)
         }
         CrashNotice {
             z: 1
@@ -403,7 +403,7 @@ ApplicationWindow {
             room: page.height - 72
             imagery: root.session.imagery
             zoomLevel: page.camera.zoomLevel
-            onAreaRequested: row => page.camera.fit(root.session.imagery.areaOf(row), 84, 72, 48, 72, true)
+            onAreaRequested: row => page.fitArea(root.session.imagery.areaOf(row), true)
             onFileRequested: imageryDialogs.addFiles()
             onFolderRequested: imageryDialogs.addTileFolder()
         }
@@ -577,7 +577,7 @@ ApplicationWindow {
             if (root.session.farm.hasField)
                 farImagery.look(area, page.drawing.bounds);
             else
-                page.camera.fit(area, 84, 72, 48, 72, false);
+                page.fitArea(area, false);
         }
     }
 
@@ -625,7 +625,7 @@ ApplicationWindow {
         beside.guideOpen = false;
         root.farmWanted = true;
         farmPanel.begin();
-        page.camera.fit(root.session.farmList.bounds(), 84, 72, 48, 72, true);
+        page.fitArea(root.session.farmList.bounds(), true);
     }
     function closeFarm(): void {
         root.farmWanted = false;

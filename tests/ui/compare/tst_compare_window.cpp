@@ -232,6 +232,9 @@ void TestCompareWindow::onTwoMaps() {
                     std::abs(other->height() - map()->height()) <= 1.0);
         key(Qt::Key_F);
         waitForStill();
+        // Beside the tools, which stand in two columns.
+        const QQuickItem& tools = *item("mapToolBar");
+        QCOMPARE_GE(camera()->position(field.topLeft()).x(), tools.x() + tools.width());
         picture(QStringLiteral("compare_two_maps_small_%1").arg(QLatin1String{name}));
     }
     theme->setProperty("forced", 0);

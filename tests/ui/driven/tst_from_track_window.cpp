@@ -103,7 +103,7 @@ void TestFromTrackWindow::withAPlanItIsAsked() {
     const QTemporaryDir folder;
     const QString path = gpx(folder, "south.gpx", round(), true);
     open(path);
-    QTRY_VERIFY(item("trackQuestion.make") != nullptr && item("trackQuestion.make")->isVisible());
+    QTRY_VERIFY(item("trackQuestion.make") != nullptr && item("trackQuestion.make")->hasActiveFocus());
     picture("track_question");
     key(Qt::Key_Escape);
     QTRY_VERIFY(!source().isAsking());
@@ -130,6 +130,7 @@ void TestFromTrackWindow::withAPlanItIsAsked() {
     QTRY_VERIFY(source().isReady());
     window_->resize(1000, 640);
     QTRY_COMPARE(window_->height(), 640);
+    QTRY_COMPARE(item("fieldFromTrackPanel")->mapToScene({0.0, 0.0}).x(), 660.0);
     picture("from_track_small");
     key(Qt::Key_Return);
     QTRY_COMPARE(fields(), 2);
