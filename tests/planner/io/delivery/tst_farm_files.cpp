@@ -70,20 +70,20 @@ private slots:
         constexpr std::array<std::string_view, 3> kFormats{"geojson", "isoxml", "csv"};
         FarmFolder farm = FarmFolder::at(root, kFormats).value();
         QCOMPARE(farm.add(*planOf("Long Acre", 200.0, 9.5)).value().files.size(), std::size_t{3});
-        QCOMPARE(farm.add(*planOf("Home", 300.0, 9.51)).value().files.size(), std::size_t{3});
+        QCOMPARE(farm.add(*planOf("Glebe", 300.0, 9.51)).value().files.size(), std::size_t{3});
         const WrittenFiles together = farm.finish().value();
         QCOMPARE(together.files.size(), std::size_t{2});
         QVERIFY(!together.checks.made.empty());
         QVERIFY(together.checks.problems.empty());
-        const std::vector<std::string> wanted{"Home/path.csv",          "Home/plan.geojson",
-                                              "Home/summary.json",      "Long Acre/path.csv",
+        const std::vector<std::string> wanted{"Glebe/path.csv",         "Glebe/plan.geojson",
+                                              "Glebe/summary.json",     "Long Acre/path.csv",
                                               "Long Acre/plan.geojson", "Long Acre/summary.json",
                                               "TASKDATA/LINKLIST.XML",  "TASKDATA/TASKDATA.XML"};
         QCOMPARE(filesIn(root), wanted);
         const auto read = fieldsIn(root / "TASKDATA");
         QCOMPARE(read.size(), std::size_t{2});
         QVERIFY(std::abs(read.at("Long Acre") - 2.0) < 0.01);
-        QVERIFY(std::abs(read.at("Home") - 3.0) < 0.01);
+        QVERIFY(std::abs(read.at("Glebe") - 3.0) < 0.01);
     }
 
     /// Two fields of one name are two folders; written again they are the same two.
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         constexpr std::array<std::string_view, 2> kFormats{"geojson", "isoxml"};
         FarmFolder farm = FarmFolder::at(fs::path{file.fileName().toStdString()}, kFormats).value();
-        QCOMPARE(farm.add(*planOf("Home", 200.0, 9.5)).error().code, ErrorCode::WriteFailed);
+        QCOMPARE(farm.add(*planOf("Glebe", 200.0, 9.5)).error().code, ErrorCode::WriteFailed);
         // What could not be written is in nothing.
         QVERIFY(farm.finish().value().files.empty());
     }
@@ -120,11 +120,11 @@ private slots:
         QTest::newRow("ISOXML 4") << "fendt" << QStringList{"TASKDATA/LINKLIST.XML", "TASKDATA/TASKDATA.XML"};
         QTest::newRow("ISOXML 3") << "claas-s10" << QStringList{"TASKDATA/TASKDATA.XML"};
         QTest::newRow("AgOpenGPS") << "agopengps"
-                                   << QStringList{"AgOpenGPS/Fields/Home/RecPath.txt",
-                                                  "AgOpenGPS/Fields/Home 2/RecPath.txt"};
+                                   << QStringList{"AgOpenGPS/Fields/Glebe/RecPath.txt",
+                                                  "AgOpenGPS/Fields/Glebe 2/RecPath.txt"};
         QTest::newRow("AgGPS") << "trimble"
-                               << QStringList{"AgGPS/Data/Furrow/Farm/Home/Swaths.shp",
-                                              "AgGPS/Data/Furrow/Farm/Home 2/Swaths.shp"};
+                               << QStringList{"AgGPS/Data/Furrow/Farm/Glebe/Swaths.shp",
+                                              "AgGPS/Data/Furrow/Farm/Glebe 2/Swaths.shp"};
     }
     /// Two fields of one name, 2 and 3 ha: read back from the stick they are the two that were meant.
     void onAStick() {
@@ -135,7 +135,7 @@ private slots:
         const Terminal& known = **findTerminal(terminal.toStdString());
         FarmOnStick farm{known};
         FarmOnStick named{known};
-        for (const auto& plan : {planOf("Home", 200.0, 9.5), planOf("Home", 300.0, 9.51)}) {
+        for (const auto& plan : {planOf("Glebe", 200.0, 9.5), planOf("Glebe", 300.0, 9.51)}) {
             QVERIFY(farm.add(*plan).has_value());
             QVERIFY(named.add(plan->field().source()).has_value());
         }
