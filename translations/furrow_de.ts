@@ -1933,18 +1933,6 @@
         <translation>kein Platz</translation>
     </message>
     <message>
-        <source>Way back to work</source>
-        <translation>Weg zurück zur Arbeit</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Weg zum Entladen</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Weg zum Befüllen</translation>
-    </message>
-    <message>
         <source>In the bunker</source>
         <translation>Im Bunker</translation>
     </message>
@@ -6979,6 +6967,18 @@
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
         <translation>Fahrtrichtungen, Reihenfolgen und Ecken werden nicht gefahren verglichen: Der Fahrweg hat %1 Teile und der Schlag %2 Ecken; mit mehr als %3 zusammen dauert das zu lange</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Weg zurück zur Arbeit</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Weg zum Befüllen</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Weg zum Entladen</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -8274,18 +8274,6 @@
     <message>
         <source>tank empty</source>
         <translation>Tank leer</translation>
-    </message>
-    <message>
-        <source>Way back to work</source>
-        <translation>Weg zurück zur Arbeit</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Weg zum Entladen</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Weg zum Befüllen</translation>
     </message>
     <message>
         <source>Way without work</source>

@@ -1933,18 +1933,6 @@
         <translation>no cabe</translation>
     </message>
     <message>
-        <source>Way back to work</source>
-        <translation>Camino de vuelta al trabajo</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Camino a la descarga</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Camino a la recarga</translation>
-    </message>
-    <message>
         <source>In the bunker</source>
         <translation>En la tolva</translation>
     </message>
@@ -6979,6 +6967,18 @@
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
         <translation>no se comparan direcciones, órdenes y esquinas recorridas: el recorrido tiene %1 partes y la parcela %2 esquinas, y con más de %3 en total tarda demasiado</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Camino de vuelta al trabajo</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Camino a la recarga</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Camino a la descarga</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -8274,18 +8274,6 @@
     <message>
         <source>tank empty</source>
         <translation>depósito vacío</translation>
-    </message>
-    <message>
-        <source>Way back to work</source>
-        <translation>Camino de vuelta al trabajo</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Camino a la descarga</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Camino a la recarga</translation>
     </message>
     <message>
         <source>Way without work</source>

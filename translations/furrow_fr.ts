@@ -1933,18 +1933,6 @@
         <translation>pas la place</translation>
     </message>
     <message>
-        <source>Way back to work</source>
-        <translation>Chemin de retour au travail</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Chemin vers la vidange</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Chemin vers le remplissage</translation>
-    </message>
-    <message>
         <source>In the bunker</source>
         <translation>Dans la trémie</translation>
     </message>
@@ -6979,6 +6967,18 @@
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
         <translation>les orientations, les ordres et les coins ne sont pas comparés tels que parcourus : le trajet a %1 parties et la parcelle %2 coins ; au-delà de %3 en tout, cela dure trop longtemps</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Chemin de retour au travail</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Chemin vers le remplissage</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Chemin vers la vidange</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -8274,18 +8274,6 @@
     <message>
         <source>tank empty</source>
         <translation>cuve vide</translation>
-    </message>
-    <message>
-        <source>Way back to work</source>
-        <translation>Chemin de retour au travail</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Chemin vers la vidange</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Chemin vers le remplissage</translation>
     </message>
     <message>
         <source>Way without work</source>

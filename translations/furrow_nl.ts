@@ -1933,18 +1933,6 @@
         <translation>geen ruimte</translation>
     </message>
     <message>
-        <source>Way back to work</source>
-        <translation>Weg terug naar het werk</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Weg naar het lossen</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Weg naar het vullen</translation>
-    </message>
-    <message>
         <source>In the bunker</source>
         <translation>In de bunker</translation>
     </message>
@@ -6979,6 +6967,18 @@
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
         <translation>rijrichtingen, volgordes en hoeken worden niet gereden vergeleken: het traject heeft %1 delen en het perceel %2 hoeken; met meer dan %3 samen duurt dat te lang</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Weg terug naar het werk</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Weg naar het vullen</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Weg naar het lossen</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -8274,18 +8274,6 @@
     <message>
         <source>tank empty</source>
         <translation>tank leeg</translation>
-    </message>
-    <message>
-        <source>Way back to work</source>
-        <translation>Weg terug naar het werk</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Weg naar het lossen</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Weg naar het vullen</translation>
     </message>
     <message>
         <source>Way without work</source>

@@ -1933,18 +1933,6 @@
         <translation>não cabe</translation>
     </message>
     <message>
-        <source>Way back to work</source>
-        <translation>Caminho de volta ao trabalho</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Caminho para a descarga</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Caminho para o reabastecimento</translation>
-    </message>
-    <message>
         <source>In the bunker</source>
         <translation>No tanque graneleiro</translation>
     </message>
@@ -6979,6 +6967,18 @@
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>
         <translation>direções, ordens e cantos não são comparados como percorridos: o percurso tem %1 partes e o talhão %2 cantos, e com mais de %3 no total isso demora demais</translation>
     </message>
+    <message>
+        <source>Way back to work</source>
+        <translation>Caminho de volta ao trabalho</translation>
+    </message>
+    <message>
+        <source>Way to refill</source>
+        <translation>Caminho para o reabastecimento</translation>
+    </message>
+    <message>
+        <source>Way to unload</source>
+        <translation>Caminho para a descarga</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>
@@ -8274,18 +8274,6 @@
     <message>
         <source>tank empty</source>
         <translation>tanque vazio</translation>
-    </message>
-    <message>
-        <source>Way back to work</source>
-        <translation>Caminho de volta ao trabalho</translation>
-    </message>
-    <message>
-        <source>Way to unload</source>
-        <translation>Caminho para a descarga</translation>
-    </message>
-    <message>
-        <source>Way to refill</source>
-        <translation>Caminho para o reabastecimento</translation>
     </message>
     <message>
         <source>Way without work</source>
