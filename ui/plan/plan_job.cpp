@@ -19,9 +19,6 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// After a first plan that is there sooner, the finished one comes so soon that drawing both is not worth it.
-constexpr auto kSoon = std::chrono::milliseconds{300};
-
 PlanOutcome outcomeOf(const PlanTask& task, const std::shared_ptr<const Field>& field,
                       const Result<std::shared_ptr<const Plan>>& plan) {
     if (!plan) {
@@ -126,7 +123,7 @@ PlanOutcome planned(const PlanTask& task, StageCache& cache, const JobContext& j
     std::optional<DraftBeside> draft;
     if (meanwhile.firstPlan) {
         course.firstPlan = [&](const std::shared_ptr<const Plan>& plan) {
-            if (steady_clock::now() - begun >= kSoon) {
+            if (steady_clock::now() - begun >= meanwhile.firstPlanAfter) {
                 handOvers.pass(HandOvers::Rank::FirstPlan, outcomeOf(task, field, plan));
             }
         };

@@ -38,6 +38,9 @@ struct PlanMeanwhile {
     std::function<void(PlanOutcome)> firstPlan;
     /// No draft is begun before. For plans that are mostly there by then.
     std::chrono::milliseconds draftAfter{0};
+    /// No first plan that is there before is handed over: behind it the finished one comes so soon that
+    /// drawing both is not worth it.
+    std::chrono::milliseconds firstPlanAfter{300};
     PlanCourse course = {};
 };
 

@@ -53,10 +53,7 @@ void TestReasonsWindow::waitForPlan() {
 void TestReasonsWindow::openSwaths() {
     waitForPlan();
     click("step.swaths");
-    QTRY_VERIFY(item("headings.chart") != nullptr);
-    waitForRest(*item("headings.chart"));
-    scrollTo(item("headings.chart"));
-    waitForRest(*item("headings.chart"));
+    bringIntoView("headings.chart");
 }
 
 QPoint TestReasonsWindow::placeOf(int point) {
@@ -75,9 +72,7 @@ void TestReasonsWindow::stepsSayWhy() {
         const QString name = QStringLiteral("reason.%1").arg(QLatin1String{step});
         QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), step);
         QVERIFY2(!item(name)->property("text").toString().isEmpty(), step);
-        waitForRest(*item(name));
-        scrollTo(item(name));
-        waitForRest(*item(name));
+        bringIntoView(name);
         picture(QStringLiteral("reason_%1").arg(QLatin1String{step}));
     }
     click("step.headland");

@@ -32,9 +32,7 @@ private:
         if (!item(QStringLiteral("stepsPanel"))->property("openStep").toString().contains(step)) {
             click(QStringLiteral("step.") + step);
         }
-        waitForRest(*item(QStringLiteral("step.") + step));
-        scrollTo(item(QStringLiteral("step.") + step));
-        waitForRest(*item(QStringLiteral("step.") + step));
+        bringIntoView(QStringLiteral("step.") + step);
         QTest::mouseMove(window_, middle());
     }
 

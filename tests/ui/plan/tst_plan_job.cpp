@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include <condition_variable>
 #include <mutex>
 
 using namespace furrow;
@@ -15,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// 9,000 headings: the draft is there long before.
+/// 9,000 headings.
 PlanTask heavyTask() {
     const auto sources =
         readBoundaries(FURROW_SOURCE_DIR "/resources/sample_fields/home_field.geojson").value();
@@ -29,13 +30,19 @@ PlanTask heavyTask() {
 
 struct HandedOver {
     std::mutex mutex;
+    std::condition_variable came;
     std::vector<PlanOutcome> outcomes;
 
     std::function<void(PlanOutcome)> take() {
         return [this](PlanOutcome outcome) {
             const std::scoped_lock lock{mutex};
             outcomes.push_back(std::move(outcome));
+            came.notify_all();
         };
+    }
+    void waitForOne() {
+        std::unique_lock lock{mutex};
+        came.wait(lock, [this] { return !outcomes.empty(); });
     }
 };
 
@@ -49,7 +56,14 @@ private slots:
         const PlanTask task = heavyTask();
         HandedOver handed;
         StageCache cache;
-        const PlanOutcome last = planned(task, cache, {}, {.firstPlan = handed.take()});
+        // However quick the machine, the plan does not go on before its draft is there.
+        const JobContext job{.stop = {}, .progress = [&](double share) {
+                                 if (share > 0.05) {
+                                     handed.waitForOne();
+                                 }
+                             }};
+        const PlanOutcome last =
+            planned(task, cache, job, {.firstPlan = handed.take(), .firstPlanAfter = 0ms});
         QVERIFY(last.plan != nullptr);
         QVERIFY(!last.plan->request.draft);
         QCOMPARE(handed.outcomes.size(), std::size_t{2});

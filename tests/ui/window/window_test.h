@@ -76,19 +76,28 @@ protected:
         };
         QTRY_VERIFY(isStill());
     }
-    /// Scrolls until an item can be seen, as its user would.
-    static void scrollTo(QQuickItem* wanted) {
+    /// Scrolls as the item's user would. False as long as it cannot be seen, or is in a step that opens: what
+    /// that holds is in its place before there is room to scroll to it, and the step is scrolled to at last.
+    static bool isScrolledTo(QQuickItem* wanted) {
+        bool seen = true;
         for (QQuickItem* above = wanted->parentItem(); above != nullptr; above = above->parentItem()) {
+            seen = seen && !above->property("moving").toBool();
             if (above->metaObject()->indexOfMethod("bringIntoView(QQuickItem*)") >= 0) {
                 QMetaObject::invokeMethod(above, "bringIntoView", Q_ARG(QQuickItem*, wanted));
+                seen = seen && above->contains(above->mapFromItem(
+                                   wanted, {wanted->width() / 2.0, wanted->height() / 2.0}));
             }
         }
+        return seen;
     }
-    void click(const QString& name) {
+    void bringIntoView(const QString& name) {
         QTRY_VERIFY2(item(name) != nullptr && item(name)->isVisible(), qPrintable(name));
         waitForRest(*item(name));
-        scrollTo(item(name));
+        QTRY_VERIFY2(isScrolledTo(item(name)), qPrintable(name));
         waitForRest(*item(name));
+    }
+    void click(const QString& name) {
+        bringIntoView(name);
         QTest::mouseClick(window_, Qt::LeftButton, {}, middleOf(*item(name)));
     }
     QQuickItem* map() const { return item(QStringLiteral("editLayer")); }
