@@ -13,6 +13,11 @@ inline Bounds boundsOf(Point a, Point b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+/// Whether two boxes share a point.
+inline bool meet(const Bounds& a, const Bounds& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
 /// Boxes in an order in which neighbours lie near each other, like the edges of rings. The order is halved
 /// again and again, and each half has a box around it. Immutable; thread-safe.
 class BoxTree {

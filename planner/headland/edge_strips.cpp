@@ -49,25 +49,20 @@ std::size_t EdgeStrips::nearest(Point point) const {
 std::optional<std::size_t> EdgeStrips::ahead(const Pose& pose, Length within) const {
     const Point way = direction(pose.heading.si());
     const Point end = pose.position + within.si() * way;
-    const Bounds around{{std::min(pose.position.x, end.x), std::min(pose.position.y, end.y)},
-                        {std::max(pose.position.x, end.x), std::max(pose.position.y, end.y)}};
+    const Bounds around = boundsOf(pose.position, end);
     double leastM = within.si();
     std::optional<std::size_t> first;
-    tree_.any(
-        [&](const Bounds& box) {
-            return box.min.x <= around.max.x && box.max.x >= around.min.x && box.min.y <= around.max.y &&
-                   box.max.y >= around.min.y;
-        },
-        [&](std::size_t i) {
-            const Point along = strips_[i].to - strips_[i].from;
-            const auto [aheadM, backShare] = toMeeting(pose.position, way, strips_[i].from, along);
-            // Distance behind the start of the edge, as a negative share of the edge.
-            if (aheadM >= 0.0 && aheadM <= leastM && backShare <= 0.0 && backShare >= -1.0) {
-                leastM = aheadM;
-                first = i;
-            }
-            return false;
-        });
+    tree_.any([&](const Bounds& box) { return meet(box, around); },
+              [&](std::size_t i) {
+                  const Point along = strips_[i].to - strips_[i].from;
+                  const auto [aheadM, backShare] = toMeeting(pose.position, way, strips_[i].from, along);
+                  // Distance behind the start of the edge, as a negative share of the edge.
+                  if (aheadM >= 0.0 && aheadM <= leastM && backShare <= 0.0 && backShare >= -1.0) {
+                      leastM = aheadM;
+                      first = i;
+                  }
+                  return false;
+              });
     return first;
 }
 

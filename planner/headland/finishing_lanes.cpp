@@ -1,5 +1,6 @@
 #include "planner/headland/finishing_lanes.h"
 
+#include "planner/geometry/box_tree.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/tolerances.h"
@@ -134,10 +135,6 @@ Curve lineOf(const FinishingPass& pass, const Machine& machine) {
         .pieces = {{.length = metres(norm(way)), .curvature = {}}}};
 }
 
-bool touch(const Bounds& a, const Bounds& b) {
-    return a.min.x <= b.max.x && a.max.x >= b.min.x && a.min.y <= b.max.y && a.max.y >= b.min.y;
-}
-
 LeftLand::LeftLand(const MultiPolygon& all) {
     for (const Polygon& piece : all) {
         pieces_.push_back({piece, bounds({piece}), furrow::area(piece)});
@@ -151,7 +148,7 @@ Result<LeftLand::Cut> LeftLand::cutBy(const MultiPolygon& worked, const JobConte
     Cut made{.cut = {}, .rest = {}, .inAll = inAll_, .largest = {}};
     MultiPolygon near;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        if (touch(pieces_[i].box, box)) {
+        if (meet(pieces_[i].box, box)) {
             made.cut.push_back(i);
             made.inAll = made.inAll - pieces_[i].area;
             near.push_back(pieces_[i].outline);
@@ -260,7 +257,7 @@ double FinishingLanes::landBesideM2(const FinishingLane& lane, const LeftLand& l
     const Bounds box = bounds({{.outer = strip, .holes = {}}});
     double sumM2 = 0.0;
     for (const LeftLand::Piece& piece : left.pieces()) {
-        if (touch(piece.box, box)) {
+        if (meet(piece.box, box)) {
             sumM2 += inStripM2(piece.outline, strip);
         }
     }
@@ -278,7 +275,7 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
     double beginsM = lane.toM;
     double endsM = lane.fromM;
     for (const LeftLand::Piece& piece : left.pieces()) {
-        if (!touch(piece.box, box)) {
+        if (!meet(piece.box, box)) {
             continue;
         }
         const Ring inStrip = clippedBy(strip, piece.outline.outer);

@@ -66,8 +66,6 @@ private:
     Area largest_;
 };
 
-bool touch(const Bounds& a, const Bounds& b);
-
 /// Finds lanes for one task, which it refers to.
 class FinishingLanes {
 public:

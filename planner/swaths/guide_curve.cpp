@@ -50,10 +50,6 @@ std::optional<double> meeting(Point a, Point b, Point c, Point d) {
     return s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0 ? std::optional{s} : std::nullopt;
 }
 
-bool touches(const Bounds& a, const Bounds& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
 /// The place at which a line crosses itself. Empty if there is none.
 std::optional<Point> crossingOf(const Polyline& line) {
     std::vector<Bounds> boxes;
@@ -63,7 +59,7 @@ std::optional<Point> crossingOf(const Polyline& line) {
     const BoxTree tree{boxes};
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         std::optional<Point> place;
-        tree.any([&](const Bounds& box) { return touches(box, boxes[i]); },
+        tree.any([&](const Bounds& box) { return meet(box, boxes[i]); },
                  [&](std::size_t k) {
                      if (k > i + 1) {
                          if (const auto share = meeting(line[i], line[i + 1], line[k], line[k + 1])) {

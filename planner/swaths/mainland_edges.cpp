@@ -51,22 +51,18 @@ std::vector<Curve> MainlandEdges::partsInside(const Curve& line) const {
         const Point a = samples[k].pose.position;
         const Point b = samples[k + 1].pose.position;
         const Bounds chord = boundsOf(a, b);
-        tree_.any(
-            [&](const Bounds& box) {
-                return box.min.x <= chord.max.x && chord.min.x <= box.max.x && box.min.y <= chord.max.y &&
-                       chord.min.y <= box.max.y;
-            },
-            [&](std::size_t i) {
-                const auto [c, d] = edges_[i];
-                const double area = cross(b - a, d - c);
-                const double share = area == 0.0 ? -1.0 : cross(c - a, d - c) / area;
-                const double edgeShare = area == 0.0 ? -1.0 : cross(c - a, b - a) / area;
-                if (share >= 0.0 && share <= 1.0 && edgeShare >= 0.0 && edgeShare <= 1.0) {
-                    crossings.push_back(
-                        (samples[k].way + share * (samples[k + 1].way - samples[k].way)).si());
-                }
-                return false;
-            });
+        tree_.any([&](const Bounds& box) { return meet(box, chord); },
+                  [&](std::size_t i) {
+                      const auto [c, d] = edges_[i];
+                      const double area = cross(b - a, d - c);
+                      const double share = area == 0.0 ? -1.0 : cross(c - a, d - c) / area;
+                      const double edgeShare = area == 0.0 ? -1.0 : cross(c - a, b - a) / area;
+                      if (share >= 0.0 && share <= 1.0 && edgeShare >= 0.0 && edgeShare <= 1.0) {
+                          crossings.push_back(
+                              (samples[k].way + share * (samples[k + 1].way - samples[k].way)).si());
+                      }
+                      return false;
+                  });
     }
     crossings.push_back(samples.back().way.si());
     std::ranges::sort(crossings);

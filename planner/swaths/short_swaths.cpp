@@ -1,5 +1,6 @@
 #include "planner/swaths/short_swaths.h"
 
+#include "planner/geometry/box_tree.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/swaths/curved_swaths.h"
 
@@ -9,10 +10,6 @@
 namespace furrow {
 
 namespace {
-
-bool meet(const Bounds& a, const Bounds& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
 
 /// The area that only these swaths work, and the area that swaths near them work as well.
 struct Worked {
