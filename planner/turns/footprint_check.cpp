@@ -8,8 +8,6 @@
 
 namespace furrow {
 
-namespace {}  // namespace
-
 FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
                          const BoundaryDistance& edges) {
     const double reachM = edges.reachM();

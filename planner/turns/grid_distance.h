@@ -48,6 +48,9 @@ public:
         return place.distance;
     }
 
+    /// More cells would have been needed for some answers.
+    bool isSpent() const { return settled_ == mostCells_; }
+
 private:
     using Cell = std::uint64_t;
 

@@ -102,12 +102,13 @@ public:
           reverseMps_{machine_.spec().tractor.reverseSpeed.si()},
           gearChangeS_{gearChangeDuration(machine_).si()},
           reach_{scope.reach},
+          cellM_{std::max(std::clamp(0.4 * radiusM_, 0.6, 4.0),
+                          distance(from.position, to.position) / scope.cellsAcross)},
           grid_{rig,
                 travel_,
                 to.position,
                 from.position,
-                std::max(std::clamp(0.4 * radiusM_, 0.6, 4.0),
-                         distance(from.position, to.position) / scope.cellsAcross),
+                cellM_,
                 scope.clear ? 0.5 * machine_.turningWidth() : Length{},
                 scope.mostCells} {
         nodes_.push_back({.state = Rig::inLine(from), .pieces = {}});
@@ -165,6 +166,9 @@ public:
         }
         return best_;
     }
+
+    double cellM() const { return cellM_; }
+    bool isGridSpent() const { return grid_.isSpent(); }
 
 private:
     using Key = std::uint64_t;
@@ -405,6 +409,7 @@ private:
     double reverseMps_;
     double gearChangeS_;
     double reach_;
+    double cellM_;
     GridDistance grid_;
     std::vector<Escape> ends_;  ///< the goal itself and the ends of the ways in to it
     double mostWayM_ = 0.0;
@@ -425,13 +430,18 @@ private:
 std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to,
                                      const TravelCost& travel, const JobContext& job, SearchEffort effort) {
     auto way = Search{rig, from, to, travel, job, kNear}.run(effort);
-    // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.
-    for (const Scope& scope : {kAfar, kAllRound}) {
-        if (!way && effort == SearchEffort::Thorough && !job.stopRequested()) {
-            way = Search{rig, from, to, travel, job, scope}.run(effort);
-        }
+    if (way || effort != SearchEffort::Thorough || job.stopRequested()) {
+        return way;
     }
-    return way;
+    // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.
+    Search afar{rig, from, to, travel, job, kAfar};
+    way = afar.run(effort);
+    if (way || job.stopRequested()) {
+        return way;
+    }
+    // Between places near each other both grids are the same, and so are the searches.
+    Search allRound{rig, from, to, travel, job, kAllRound};
+    return allRound.cellM() == afar.cellM() && !afar.isGridSpent() ? std::nullopt : allRound.run(effort);
 }
 
 }  // namespace furrow
