@@ -160,41 +160,86 @@ Result<std::vector<Ring>> roundedRing(const Ring& ring, bool isHole, Length radi
     });
 }
 
-/// The lines of a region, ring by ring. Most corners can be rounded one by one. If they are too close for
-/// that, every part that no disc of the radius can reach is removed.
-Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gentle, const JobContext& job) {
-    PassTracks tracks;
-    // A region smaller than a circle on full lock is a remainder of moving the ring.
-    const Area least = squareMetres(std::numbers::pi * radius.si() * radius.si());
-    const auto add = [&](const Ring& ring) {
-        auto line = smoothRing(ring, radius, kMergeTolerance, gentle);
+/// The lines of one ring.
+struct RingLines {
+    std::vector<Curve> lines;
+    int givenUp = 0;
+};
+
+/// Makes lines of rings. Most corners can be rounded one by one. If they are too close for that, every part
+/// that no disc of the radius can reach is removed; such rings are remembered, because most of them come
+/// again when others were moved.
+class RingLiner {
+public:
+    RingLiner(Length radius, Length gentle) : radius_{radius}, gentle_{gentle} {}
+
+    Result<RingLines> linesOf(const Ring& ring, bool isHole, const JobContext& job) {
+        RingLines made;
+        if (add(ring, made)) {
+            return made;
+        }
+        const auto known = std::ranges::find_if(
+            known_, [&](const Known& each) { return each.isHole == isHole && each.ring == ring; });
+        if (known != known_.end()) {
+            return known->lines;
+        }
+        auto rounded = roundedLinesOf(ring, isHole, job);
+        if (rounded) {
+            known_.push_back({ring, isHole, *rounded});
+        }
+        return rounded;
+    }
+
+private:
+    struct Known {
+        Ring ring;
+        bool isHole = false;
+        RingLines lines;
+    };
+
+    bool add(const Ring& ring, RingLines& made) const {
+        auto line = smoothRing(ring, radius_, kMergeTolerance, gentle_);
         if (line) {
-            tracks.lines.push_back(std::move(*line));
+            made.lines.push_back(std::move(*line));
         }
         return line.has_value();
-    };
-    const auto visit = [&](const Ring& ring, bool isHole) -> Result<void> {
-        if (add(ring)) {
-            return {};
-        }
+    }
+
+    Result<RingLines> roundedLinesOf(const Ring& ring, bool isHole, const JobContext& job) const {
+        RingLines made;
         // Arcs drawn as chords can be too short for their corners. Arcs of a larger radius are long enough.
         for (const double reserve : kRadiusReserves) {
-            const auto rings = roundedRing(ring, isHole, reserve * radius, job);
+            const auto rings = roundedRing(ring, isHole, reserve * radius_, job);
             if (!rings) {
                 return std::unexpected(rings.error());
             }
-            const std::size_t before = tracks.lines.size();
-            const auto failed = std::ranges::count_if(*rings, [&](const Ring& each) { return !add(each); });
+            made = {};
+            const auto failed =
+                std::ranges::count_if(*rings, [&](const Ring& each) { return !add(each, made); });
             if (failed == 0 && !rings->empty()) {
-                return {};
+                return made;
             }
-            if (reserve != kRadiusReserves.back()) {
-                tracks.lines.resize(before);
-            } else {
-                tracks.givenUp += std::max(1, static_cast<int>(failed));
-            }
+            made.givenUp = std::max(1, static_cast<int>(failed));
         }
-        return {};
+        return made;
+    }
+
+    Length radius_;
+    Length gentle_;
+    std::vector<Known> known_;
+};
+
+/// The lines of a region, ring by ring.
+Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, RingLiner& liner,
+                           const JobContext& job) {
+    PassTracks tracks;
+    // A region smaller than a circle on full lock is a remainder of moving the ring.
+    const Area least = squareMetres(std::numbers::pi * radius.si() * radius.si());
+    const auto visit = [&](const Ring& ring, bool isHole) {
+        return liner.linesOf(ring, isHole, job).transform([&](RingLines&& made) {
+            std::ranges::move(made.lines, std::back_inserter(tracks.lines));
+            tracks.givenUp += made.givenUp;
+        });
     };
     for (const Polygon& polygon : region) {
         if (area(polygon) < least) {
@@ -213,9 +258,9 @@ Result<PassTracks> linesOf(const MultiPolygon& region, Length radius, Length gen
 
 /// A region whose lines follow the edges, or the given region if that fails.
 Result<MultiPolygon> alongEdges(const MultiPolygon& region, const AllowedAreas& drivable,
-                                const Machine& machine, const FollowingRules& following, Length gentle,
+                                const Machine& machine, const FollowingRules& following, RingLiner& liner,
                                 const JobContext& job) {
-    const auto straight = linesOf(region, machine.minTurningRadius(), gentle, job);
+    const auto straight = linesOf(region, machine.minTurningRadius(), liner, job);
     if (!straight) {
         return std::unexpected(straight.error());
     }
@@ -248,7 +293,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const AllowedAreas& 
         });
     });
     const auto along = followed.and_then(
-        [&](const MultiPolygon& valid) { return linesOf(valid, machine.minTurningRadius(), gentle, job); });
+        [&](const MultiPolygon& valid) { return linesOf(valid, machine.minTurningRadius(), liner, job); });
     if (!along) {
         return std::unexpected(along.error());
     }
@@ -272,6 +317,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
                               const Machine& machine, const TrackRules& rules, const JobContext& job) {
     const Length radius = machine.minTurningRadius();
     const double reachM = overhangM(machine);
+    RingLiner liner{radius, metres(reachM)};
     auto base = eroded(workable, inset, kRoundTolerance, job);
     // Leaving a pass along the edge swings the tail out like a corner does. If no corner makes room for that,
     // one place gets it.
@@ -285,14 +331,13 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
                                    .aroundM = besideM + reachM};
     if (rules.followsEdges && rules.movesIn && !rig.hasTrailer()) {
         base = base.and_then([&](const MultiPolygon& region) {
-            return alongEdges(region, drivable, machine, following, metres(reachM), job);
+            return alongEdges(region, drivable, machine, following, liner, job);
         });
     }
     Displacement displacement{reachM};
     const auto lines = [&] {
         return base.and_then([&](const MultiPolygon& region) { return moved(region, displacement, job); })
-            .and_then(
-                [&](const MultiPolygon& region) { return linesOf(region, radius, metres(reachM), job); });
+            .and_then([&](const MultiPolygon& region) { return linesOf(region, radius, liner, job); });
     };
     Result<PassTracks> tracks = lines();
     for (int round = 0; tracks && rules.movesIn; ++round) {
