@@ -279,29 +279,36 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     return legs;
 }
 
-PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways,
-                   const JobContext& job) {
+std::vector<Pose> endsOf(const std::vector<Leg>& legs) {
+    std::vector<Pose> ends;
+    ends.reserve(legs.size());
+    std::ranges::transform(legs, std::back_inserter(ends), [](const Leg& leg) { return leg.line.end(); });
+    return ends;
+}
+
+PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
+                   RememberedWays& ways, const JobContext& job) {
     const Pose start = line.start;
     const Pose end = line.end();
     std::vector<std::pair<double, std::size_t>> places;  // detour, and the leg that follows
     for (std::size_t i = 0; i <= legs.size(); ++i) {
-        const double toM = i > 0 ? distance(legs[i - 1].line.end().position, start.position) : 0.0;
+        const double toM = i > 0 ? distance(ends[i - 1].position, start.position) : 0.0;
         const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
-        const double directM = i > 0 && i < legs.size()
-                                   ? distance(legs[i - 1].line.end().position, legs[i].line.start.position)
-                                   : 0.0;
+        const double directM =
+            i > 0 && i < legs.size() ? distance(ends[i - 1].position, legs[i].line.start.position) : 0.0;
         // Legs that follow on each other without a way between are one pass.
         if (i == 0 || i == legs.size() || directM > kMeetM) {
             places.emplace_back(toM + onM - directM, i);
         }
     }
-    std::ranges::sort(places);
+    const std::size_t tried = std::min(kMostPlacesTried, places.size());
+    std::ranges::partial_sort(places, places.begin() + static_cast<std::ptrdiff_t>(tried));
     const auto leads = [&](const Pose& leaving, const Pose& arriving) {
         return !job.stopRequested() && ways(leaving, arriving, job, SearchEffort::Quick).has_value();
     };
     PassPlace found;
-    for (const auto& [detour, i] : places | std::views::take(kMostPlacesTried)) {
-        if (i > 0 && !leads(legs[i - 1].line.end(), start)) {
+    for (const auto& [detour, i] : places | std::views::take(tried)) {
+        if (i > 0 && !leads(ends[i - 1], start)) {
             continue;
         }
         found = {.access = PassAccess::NoWayOut, .before = i};
@@ -316,18 +323,21 @@ PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWa
 FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<HeadlandPass>& passes,
                                  RememberedWays& ways, const JobContext& job) {
     FinishedLegs finished{.legs = std::move(given), .put = {}, .refused = {}};
+    std::vector<Pose> ends = endsOf(finished.legs);
     for (const HeadlandPass& pass : passes) {
         if (finished.refused.size() >= kMostRefused) {
             finished.refused.push_back(pass);
             continue;
         }
         const Leg leg = legOf(pass, pass.stretches.front());
-        const PassPlace place = placeFor(leg.line, finished.legs, ways, job);
+        const PassPlace place = placeFor(leg.line, finished.legs, ends, ways, job);
         if (place.access != PassAccess::There) {
             finished.refused.push_back(pass);
             continue;
         }
-        finished.legs.insert(finished.legs.begin() + static_cast<std::ptrdiff_t>(place.before), leg);
+        const auto before = static_cast<std::ptrdiff_t>(place.before);
+        finished.legs.insert(finished.legs.begin() + before, leg);
+        ends.insert(ends.begin() + before, leg.line.end());
         finished.put.push_back(pass);
     }
     return finished;

@@ -32,8 +32,12 @@ struct PassPlace {
     PassAccess access = PassAccess::NoWayIn;
     std::size_t before = 0;  ///< valid if there are ways
 };
-PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways,
-                   const JobContext& job);
+/// @param ends  of the legs, by endsOf
+PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
+                   RememberedWays& ways, const JobContext& job);
+
+/// The poses at which the legs end. Those of long lines take time, and are asked for again and again.
+std::vector<Pose> endsOf(const std::vector<Leg>& legs);
 
 struct FinishedLegs {
     std::vector<Leg> legs;

@@ -66,17 +66,18 @@ bool mayFinish(const DriveTask& task) {
 }
 
 /// The place for a pass, between raised ways if there are such.
-PassPlace placeBetween(const Curve& line, const std::vector<Leg>& legs, RememberedWays& ways,
-                       FoldingWays* folding, const JobContext& job) {
-    const PassPlace place = placeFor(line, legs, ways, job);
+PassPlace placeBetween(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
+                       RememberedWays& ways, FoldingWays* folding, const JobContext& job) {
+    const PassPlace place = placeFor(line, legs, ends, ways, job);
     return folding == nullptr || place.access == PassAccess::There
                ? place
-               : placeFor(line, legs, folding->either, job);
+               : placeFor(line, legs, ends, folding->either, job);
 }
 
 /// Passes on full lock, for machines that cannot reverse.
 Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, const Rig& lowered,
-                                                     const std::vector<Leg>& legs, RememberedWays& ways,
+                                                     const std::vector<Leg>& legs,
+                                                     const std::vector<Pose>& ends, RememberedWays& ways,
                                                      FoldingWays* folding, const AllowedAreas& ground,
                                                      const std::shared_ptr<FullLockTrials>& trials,
                                                      const JobContext& job) {
@@ -86,8 +87,8 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
     }
     return FullLockPasses::of(
                ground, lowered,
-               [&legs, &ways, folding, job](const Curve& line) {
-                   return placeBetween(line, legs, ways, folding, job).access;
+               [&legs, &ends, &ways, folding, job](const Curve& line) {
+                   return placeBetween(line, legs, ends, ways, folding, job).access;
                },
                job, trials)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
@@ -111,7 +112,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     const Duration before = timeOf(driven);
     const Area left = driven.audit.left;
     const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
-    auto bends = fullLockPasses(task, lowered, legs, ways, folding, ground, path.room().bends, job);
+    std::vector<Pose> ends = endsOf(legs);
+    auto bends = fullLockPasses(task, lowered, legs, ends, ways, folding, ground, path.room().bends, job);
     if (!bends) {
         return std::unexpected(bends.error());
     }
@@ -177,6 +179,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         driven = *std::move(finished);
         legs = std::move(more.legs);
+        ends = endsOf(legs);
     }
     driven.leftBeforeFinishing = left;
     driven.finishingCost = timeOf(driven) - before;
