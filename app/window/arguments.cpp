@@ -1,12 +1,16 @@
 #include "app/window/arguments.h"
 
 #include <QCommandLineParser>
-#include <QCoreApplication>
+#include <QGuiApplication>
+
+#include <cstdio>
 
 namespace furrow {
 
 namespace {
 
+// QCommandLineParser adds it to --help by itself.
+constexpr QLatin1String kAllHelp{"help-all"};
 constexpr QLatin1String kFieldId{"field-id"};
 constexpr QLatin1String kSelfTest{"self-test"};
 constexpr QLatin1String kScreenshot{"screenshot"};
@@ -40,23 +44,36 @@ QList<QCommandLineOption> windowOptions() {
     };
 }
 
-Arguments argumentsOf(const QCoreApplication& application) {
+std::expected<Arguments, int> argumentsOf(const QCoreApplication& application) {
     QCommandLineParser parser;
     parser.setApplicationDescription(windowDescription());
-    parser.addHelpOption();
-    parser.addVersionOption();
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Project or boundary file to open."),
                                  QStringLiteral("[FILE]"));
     parser.addOptions(windowOptions());
-    parser.process(application);
-    return {.file = parser.positionalArguments().value(0),
-            .fieldId = parser.value(kFieldId),
-            .screenshot = parser.value(kScreenshot),
-            .theme = parser.value(kTheme),
-            .language = parser.value(kLanguage),
-            .units = parser.value(kUnits),
-            .size = sizeFrom(parser.value(kSize)),
-            .selfTest = parser.isSet(kSelfTest)};
+    // QCommandLineParser::process would end the program in the midst of everything that main has begun.
+    if (!parser.parse(application.arguments())) {
+        std::fprintf(stderr, "furrow: %s\n", qPrintable(parser.errorText()));
+        return std::unexpected(1);
+    }
+    if (parser.isSet(help) || parser.isSet(kAllHelp)) {
+        std::fputs(qPrintable(parser.helpText()), stdout);
+        return std::unexpected(0);
+    }
+    if (parser.isSet(version)) {
+        std::printf("%s %s\n", qPrintable(QGuiApplication::applicationDisplayName()),
+                    qPrintable(QCoreApplication::applicationVersion()));
+        return std::unexpected(0);
+    }
+    return Arguments{.file = parser.positionalArguments().value(0),
+                     .fieldId = parser.value(kFieldId),
+                     .screenshot = parser.value(kScreenshot),
+                     .theme = parser.value(kTheme),
+                     .language = parser.value(kLanguage),
+                     .units = parser.value(kUnits),
+                     .size = sizeFrom(parser.value(kSize)),
+                     .selfTest = parser.isSet(kSelfTest)};
 }
 
 }  // namespace furrow

@@ -5,6 +5,8 @@
 #include <QSize>
 #include <QString>
 
+#include <expected>
+
 class QCoreApplication;
 
 namespace furrow {
@@ -26,7 +28,7 @@ QString windowDescription();
 /// Every option but help and version.
 QList<QCommandLineOption> windowOptions();
 
-/// Ends the program where the arguments ask for help or are wrong.
-Arguments argumentsOf(const QCoreApplication& application);
+/// The exit status instead where nothing is to be started: help and version are printed, and what is wrong.
+std::expected<Arguments, int> argumentsOf(const QCoreApplication& application);
 
 }  // namespace furrow

@@ -28,7 +28,11 @@ int main(int argc, char* argv[]) {
     furrow::applyScale();
     QGuiApplication application{argc, argv};
     furrow::prepareWindow();
-    const furrow::Arguments arguments = furrow::argumentsOf(application);
+    const auto given = furrow::argumentsOf(application);
+    if (!given) {
+        return given.error();
+    }
+    const furrow::Arguments& arguments = *given;
     if (arguments.selfTest) {
         furrow::countMessages();
     }

@@ -123,6 +123,12 @@ programs_work() {
     "$cli" report "$work/plan" --out "$work/order.pdf" >/dev/null || status=$?
     expect prints "$status $(head -c 5 "$work/order.pdf")" '0 %PDF-'
     expect windowStarts "$(QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" --version)" "Furrow $("$cli" --version | cut -d' ' -f2)"
+    for option in --version --help --help-all; do
+        expect "nothingIsWrongWith$option" "$(QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" "$option" 2>&1 >/dev/null)" ''
+    done
+    status=0
+    QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" --colour 2>"$work/wrong.txt" || status=$?
+    expect tellsWhatIsWrong "$status $(cat "$work/wrong.txt")" "1 furrow: Unknown option 'colour'."
 }
 
 installs_every_part
