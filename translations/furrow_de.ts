@@ -2388,6 +2388,26 @@
         <source>On the map</source>
         <translation>Auf der Karte</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>Als Text</translation>
+    </message>
+    <message>
+        <source>%1 as text</source>
+        <translation>%1 als Text</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>%1: remove</source>
+        <translation>%1: entfernen</translation>
+    </message>
 </context>
 <context>
     <name>Pickers</name>
@@ -9076,6 +9096,27 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map</source>
+        <translation>
+            <numerusform>%n Stelle auf der Karte</numerusform>
+            <numerusform>%n Stellen auf der Karte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a line of %n point(s)</source>
+        <translation>
+            <numerusform>eine Linie aus %n Punkt</numerusform>
+            <numerusform>eine Linie aus %n Punkten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n Linie</numerusform>
+            <numerusform>%n Linien</numerusform>
+        </translation>
     </message>
 </context>
 <context>

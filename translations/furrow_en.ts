@@ -317,6 +317,30 @@
     </message>
 </context>
 <context>
+    <name>furrow::ParameterModel</name>
+    <message numerus="yes">
+        <source>%n place(s) on the map</source>
+        <translation>
+            <numerusform>%n place on the map</numerusform>
+            <numerusform>%n places on the map</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a line of %n point(s)</source>
+        <translation>
+            <numerusform>a line of %n point</numerusform>
+            <numerusform>a line of %n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n line</numerusform>
+            <numerusform>%n lines</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>furrow::PlanComparison</name>
     <message numerus="yes">
         <source>%n swath(s) of the other plan lie elsewhere.</source>

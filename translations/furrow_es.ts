@@ -2388,6 +2388,26 @@
         <source>On the map</source>
         <translation>En el mapa</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>Como texto</translation>
+    </message>
+    <message>
+        <source>%1 as text</source>
+        <translation>%1 como texto</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>no elegido</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>%1: remove</source>
+        <translation>%1: quitar</translation>
+    </message>
 </context>
 <context>
     <name>Pickers</name>
@@ -9076,6 +9096,27 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map</source>
+        <translation>
+            <numerusform>%n lugar en el mapa</numerusform>
+            <numerusform>%n lugares en el mapa</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a line of %n point(s)</source>
+        <translation>
+            <numerusform>una línea de %n punto</numerusform>
+            <numerusform>una línea de %n puntos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n línea</numerusform>
+            <numerusform>%n líneas</numerusform>
+        </translation>
     </message>
 </context>
 <context>

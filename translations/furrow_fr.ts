@@ -2388,6 +2388,26 @@
         <source>On the map</source>
         <translation>Sur la carte</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>En texte</translation>
+    </message>
+    <message>
+        <source>%1 as text</source>
+        <translation>%1 en texte</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>non choisi</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>%1: remove</source>
+        <translation>%1 : retirer</translation>
+    </message>
 </context>
 <context>
     <name>Pickers</name>
@@ -9076,6 +9096,27 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map</source>
+        <translation>
+            <numerusform>%n endroit sur la carte</numerusform>
+            <numerusform>%n endroits sur la carte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a line of %n point(s)</source>
+        <translation>
+            <numerusform>une ligne de %n point</numerusform>
+            <numerusform>une ligne de %n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n ligne</numerusform>
+            <numerusform>%n lignes</numerusform>
+        </translation>
     </message>
 </context>
 <context>

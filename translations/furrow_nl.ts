@@ -2388,6 +2388,26 @@
         <source>On the map</source>
         <translation>Op de kaart</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>Als tekst</translation>
+    </message>
+    <message>
+        <source>%1 as text</source>
+        <translation>%1 als tekst</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>niet gekozen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>%1: remove</source>
+        <translation>%1: verwijderen</translation>
+    </message>
 </context>
 <context>
     <name>Pickers</name>
@@ -9076,6 +9096,27 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map</source>
+        <translation>
+            <numerusform>%n plaats op de kaart</numerusform>
+            <numerusform>%n plaatsen op de kaart</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a line of %n point(s)</source>
+        <translation>
+            <numerusform>een lijn van %n punt</numerusform>
+            <numerusform>een lijn van %n punten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n lijn</numerusform>
+            <numerusform>%n lijnen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2388,6 +2388,26 @@
         <source>On the map</source>
         <translation>No mapa</translation>
     </message>
+    <message>
+        <source>As text</source>
+        <translation>Como texto</translation>
+    </message>
+    <message>
+        <source>%1 as text</source>
+        <translation>%1 como texto</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>não escolhido</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remover</translation>
+    </message>
+    <message>
+        <source>%1: remove</source>
+        <translation>%1: remover</translation>
+    </message>
 </context>
 <context>
     <name>Pickers</name>
@@ -9076,6 +9096,27 @@
     <message>
         <source>auto · %1</source>
         <translation>auto · %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) on the map</source>
+        <translation>
+            <numerusform>%n lugar no mapa</numerusform>
+            <numerusform>%n lugares no mapa</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a line of %n point(s)</source>
+        <translation>
+            <numerusform>uma linha de %n ponto</numerusform>
+            <numerusform>uma linha de %n pontos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s)</source>
+        <translation>
+            <numerusform>%n linha</numerusform>
+            <numerusform>%n linhas</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -28,10 +28,15 @@ Column {
     required property bool checked
     required property string text
     required property int picking
+    required property string picked
     /// Needs the whole width of the panel.
     readonly property bool wide: kind === ParameterModel.Flag || kind === ParameterModel.Text || sliderTo > 0 || longTexts || kind === ParameterModel.Choice && index === 0
     /// What half the panel could not show, in this language.
     readonly property bool longTexts: metrics.advanceWidth(name) > 150 || choices.some(choice => metrics.advanceWidth(choice) > 96)
+
+    /// Got by clicks on the map: its text is there for those who want it.
+    readonly property bool onMap: kind === ParameterModel.Text && picking !== ParameterModel.Pick.None && picking !== ParameterModel.Pick.File
+    property bool asText: false
 
     spacing: 5
 
@@ -64,8 +69,26 @@ Column {
             Accessible.name: qsTr("%1: let Furrow choose").arg(root.name)
             onClicked: root.parameters.setAuto(root.index)
         }
+        SmallButton {
+            objectName: root.key + ".asText"
+            anchors { right: parent.right; rightMargin: -6; verticalCenter: parent.verticalCenter }
+            visible: root.onMap
+            checkable: true
+            checked: root.asText
+            text: qsTr("As text")
+            Accessible.name: qsTr("%1 as text").arg(root.name)
+            onToggled: root.asText = checked
+        }
     }
     Loader {
+        active: root.onMap
+        visible: active
+        width: parent.width
+        sourceComponent: places
+    }
+    Loader {
+        active: !root.onMap || root.asText
+        visible: active
         width: parent.width
         sourceComponent: root.kind === ParameterModel.Choice ? choice : root.kind === ParameterModel.Flag ? flag : root.kind === ParameterModel.Text ? words : number
     }
@@ -135,6 +158,40 @@ Column {
         }
     }
     Component {
+        id: places
+
+        Item {
+            implicitHeight: Theme.controlHeight
+
+            BodyText {
+                objectName: root.key + ".picked"
+                anchors { left: parent.left; right: remove.left; rightMargin: 8; verticalCenter: parent.verticalCenter }
+                text: root.picked.length > 0 ? root.picked : qsTr("not chosen")
+                color: root.picked.length > 0 ? Theme.ink : Theme.muted
+                elide: Text.ElideRight
+            }
+            SmallButton {
+                id: remove
+
+                objectName: root.key + ".remove"
+                anchors { right: onMapButton.left; rightMargin: visible ? 8 : 0; verticalCenter: parent.verticalCenter }
+                visible: root.text.length > 0
+                width: visible ? implicitWidth : 0
+                text: qsTr("Remove")
+                Accessible.name: qsTr("%1: remove").arg(root.name)
+                onClicked: root.parameters.setText(root.index, "")
+            }
+            PushButton {
+                id: onMapButton
+
+                objectName: root.key + ".pick"
+                anchors.right: parent.right
+                text: qsTr("On the map")
+                onClicked: root.parameters.pick(root.index)
+            }
+        }
+    }
+    Component {
         id: words
 
         Item {
@@ -144,21 +201,21 @@ Column {
                 id: entry
 
                 objectName: root.key
-                anchors { left: parent.left; right: pickButton.left; rightMargin: pickButton.visible ? 8 : 0 }
+                anchors { left: parent.left; right: fileButton.left; rightMargin: fileButton.visible ? 8 : 0 }
                 name: root.name
                 value: root.text
-                placeholderText: root.picking === ParameterModel.Pick.None ? "" : qsTr("as text")
+                placeholderText: root.onMap ? qsTr("as text") : ""
                 accepts: entered => root.parameters.accepts(root.index, entered)
                 onCommitted: entered => root.parameters.setText(root.index, entered)
             }
             PushButton {
-                id: pickButton
+                id: fileButton
 
                 objectName: root.key + ".pick"
                 anchors.right: parent.right
-                visible: root.picking !== ParameterModel.Pick.None
+                visible: root.picking === ParameterModel.Pick.File
                 width: visible ? implicitWidth : 0
-                text: root.picking === ParameterModel.Pick.File ? qsTr("Choose…") : qsTr("On the map")
+                text: qsTr("Choose…")
                 onClicked: root.parameters.pick(root.index)
             }
         }

@@ -102,7 +102,8 @@ Rectangle {
     function focusWanted(step: Item): void {
         if (root.wantedKey.length === 0)
             return;
-        const field = root.below(step, root.wantedKey);
+        // What is picked on the map has a button instead of a field.
+        const field = root.below(step, root.wantedKey) ?? root.below(step, root.wantedKey + ".pick");
         root.wantedKey = "";
         if (field)
             field.forceActiveFocus(Qt.TabFocusReason);

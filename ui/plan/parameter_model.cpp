@@ -1,7 +1,9 @@
 #include "ui/plan/parameter_model.h"
 
+#include "planner/geometry/wkt.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/used_settings.h"
+#include "planner/settings/places.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/quantity_text.h"
@@ -44,6 +46,41 @@ ParameterModel::Kind kindOf(const Parameter& parameter) {
         case ParameterKind::Percent: break;
     }
     return isDirection(parameter) ? ParameterModel::Kind::Direction : ParameterModel::Kind::Number;
+}
+
+/// "North gate, 2 places on the map".
+QString placesInWords(const std::string& text) {
+    QStringList words;
+    int points = 0;
+    for (const GivenPlace& place : givenPlaces(text).value_or(std::vector<GivenPlace>{})) {
+        if (place.point) {
+            ++points;
+        } else {
+            words.append(fromStd(place.name));
+        }
+    }
+    if (points > 0) {
+        words.append(ParameterModel::tr("%n place(s) on the map", nullptr, points));
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+/// What a text of lines or places holds, in words.
+QString pickedText(ParameterKind kind, const std::string& text) {
+    switch (kind) {
+        case ParameterKind::Place:
+        case ParameterKind::Places: return placesInWords(text);
+        case ParameterKind::Line:
+        case ParameterKind::Lines: break;
+        default: return {};
+    }
+    const auto lines = linesOfWkt(text);
+    if (!lines || lines->empty()) {
+        return placesInWords(text);
+    }
+    return lines->size() == 1
+               ? ParameterModel::tr("a line of %n point(s)", nullptr, static_cast<int>(lines->front().size()))
+               : ParameterModel::tr("%n line(s)", nullptr, static_cast<int>(lines->size()));
 }
 
 int decimalsOf(const Parameter& parameter) {
@@ -191,6 +228,8 @@ QVariant ParameterModel::value(const Parameter& parameter, int role) const {
                        : QString{};
         case CheckedRole: return kindOf(parameter) == Kind::Flag && settings_.flag(parameter);
         case TextRole: return kindOf(parameter) == Kind::Text ? fromStd(settingText(set)) : QString{};
+        case PickedRole:
+            return kindOf(parameter) == Kind::Text ? pickedText(parameter.kind, settingText(set)) : QString{};
         case PickRole: return static_cast<int>(pickOf(parameter));
         default: return {};
     }
@@ -202,6 +241,7 @@ QHash<int, QByteArray> ParameterModel::roleNames() const {
             {DescriptionRole, "description"},
             {KindRole, "kind"},
             {PickRole, "picking"},
+            {PickedRole, "picked"},
             {ValueRole, "value"},
             {AutoTextRole, "autoText"},
             {CanBeAutoRole, "canBeAuto"},

@@ -41,7 +41,8 @@ public:
         ChoiceIndexRole,
         ChoiceHintRole,  ///< description of what is chosen
         CheckedRole,
-        TextRole,  ///< of lines and lists, as the settings hold them
+        TextRole,    ///< of lines and lists, as the settings hold them
+        PickedRole,  ///< what a text that is picked on the map holds, in words; empty where it is empty
         PickRole,
     };
 

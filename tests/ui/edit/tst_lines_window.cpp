@@ -100,7 +100,18 @@ private slots:
         QVERIFY(plan->path.refillCount() > 0);
         QCOMPARE(plan->refill->points.size(), std::size_t{2});
         QVERIFY2(plan->drivable(), plan->findings.empty() ? "" : plan->findings.front().text.c_str());
+        // In words; as text, too, for those who want it.
+        const QString refill = QStringLiteral("route.refill");
+        QTRY_COMPARE(item(refill + QStringLiteral(".picked"))->property("text").toString(),
+                     QStringLiteral("2 places on the map"));
+        QVERIFY(!shows(refill));
         picture(QStringLiteral("refill2_planned"));
+        click(refill + QStringLiteral(".asText"));
+        QTRY_VERIFY(shows(refill));
+        QVERIFY(item(refill)->property("text").toString().startsWith(QStringLiteral("MULTIPOINT")));
+        picture(QStringLiteral("refill2_as_text"));
+        click(refill + QStringLiteral(".asText"));
+        QTRY_VERIFY(!shows(refill));
         // A trip is clicked on, and the drive stands at its point.
         const auto& segments = plan->path.segments;
         const auto stop =
@@ -119,6 +130,12 @@ private slots:
         QTRY_COMPARE(points().size(), 1);
         key(Qt::Key_Escape);
         QTRY_VERIFY(!shows(QStringLiteral("placesPicker.hint")));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(points().size(), 2);
+        // All of them at once.
+        click(refill + QStringLiteral(".remove"));
+        QTRY_COMPARE(points().size(), 0);
+        QTRY_VERIFY(!shows(refill + QStringLiteral(".remove")));
         key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(points().size(), 2);
         key(Qt::Key_Z, Qt::ControlModifier);
