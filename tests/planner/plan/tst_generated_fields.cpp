@@ -159,7 +159,7 @@ public:
 private slots:
     void planOrReason() {
         const int first = fromEnvironment("FURROW_GENERATED_FROM", 1);
-        const int count = fromEnvironment("FURROW_GENERATED", 36);
+        const int count = fromEnvironment("FURROW_GENERATED", 16);
         int planned = 0;
         int drivable = 0;
         int looked = 0;

@@ -56,7 +56,6 @@ private slots:
         QTest::addColumn<int>("theme");
         QTest::addColumn<QString>("name");
         QTest::newRow("dark") << 2 << "dark";
-        QTest::newRow("sunlight") << 3 << "sunlight";
     }
     void fitsASmallWindow() {
         QFETCH(int, theme);
