@@ -1,7 +1,8 @@
 #include "app/window/arguments.h"
 
 #include <QCommandLineParser>
-#include <QGuiApplication>
+#include <QCoreApplication>
+#include <QVariant>
 
 #include <cstdio>
 
@@ -62,7 +63,7 @@ std::expected<Arguments, int> argumentsOf(const QCoreApplication& application) {
         return std::unexpected(0);
     }
     if (parser.isSet(version)) {
-        std::printf("%s %s\n", qPrintable(QGuiApplication::applicationDisplayName()),
+        std::printf("%s %s\n", qPrintable(application.property("applicationDisplayName").toString()),
                     qPrintable(QCoreApplication::applicationVersion()));
         return std::unexpected(0);
     }
