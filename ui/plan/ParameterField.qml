@@ -37,6 +37,7 @@ Column {
     /// Got by clicks on the map: its text is there for those who want it.
     readonly property bool onMap: kind === ParameterModel.Text && picking !== ParameterModel.Pick.None && picking !== ParameterModel.Pick.File
     property bool asText: false
+    signal textWanted()
 
     spacing: 5
 
@@ -77,7 +78,12 @@ Column {
             checked: root.asText
             text: qsTr("As text")
             Accessible.name: qsTr("%1 as text").arg(root.name)
-            onToggled: root.asText = checked
+            onToggled: {
+                root.asText = checked;
+                // With the keys it is scrolled to.
+                if (checked)
+                    Qt.callLater(() => root.textWanted());
+            }
         }
     }
     Loader {
@@ -197,6 +203,13 @@ Column {
         Item {
             implicitHeight: entry.implicitHeight
 
+            Connections {
+                target: root
+
+                function onTextWanted() {
+                    entry.forceActiveFocus(Qt.TabFocusReason);
+                }
+            }
             TextEntry {
                 id: entry
 

@@ -1,6 +1,7 @@
 #include "planner/benchmarks/geos_yardstick.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/prepared_area.h"
+#include "planner/geometry/segment.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/test_program.h"
@@ -9,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <stop_token>
 #include <thread>
@@ -304,6 +307,56 @@ private slots:
             COMPARE_WITHIN(found->point.x, expected.x, 1e-9);
             COMPARE_WITHIN(found->point.y, expected.y, 1e-9);
             COMPARE_WITHIN(found->distance.si(), distanceM, 1e-9);
+        }
+    }
+
+    // Against a walk along the lines in small steps, with the even-odd rule and the distance from every edge.
+    void farthestOutsideOfRandomAreas() {
+        constexpr std::uint64_t kSeed = 11;
+        constexpr int kSteps = 1000;
+        std::mt19937_64 random{kSeed};
+        for (int field = 0; field < 60; ++field) {
+            const MultiPolygon polygons = test::randomPolygons(
+                random, field % 2 == 0 ? test::Shape::Concave : test::Shape::Holes, 50.0);
+            const Bounds box = bounds(polygons);
+            Polyline line;
+            for (int k = 0; k < 5; ++k) {
+                line.push_back({test::uniform(random, box.min.x - 20.0, box.max.x + 20.0),
+                                test::uniform(random, box.min.y - 20.0, box.max.y + 20.0)});
+            }
+            const auto awayM = [&](Point point) {
+                double nearest = std::numeric_limits<double>::infinity();
+                forEachEdge(polygons, [&](Point a, Point b) {
+                    nearest = std::min(nearest, distanceToSegment(point, a, b));
+                });
+                return isInside(polygons, point) ? 0.0 : nearest;
+            };
+            double farthest = awayM(line.front());
+            double slack = 0.0;
+            for (std::size_t k = 1; k < line.size(); ++k) {
+                const Point way = line[k] - line[k - 1];
+                slack = std::max(slack, 2.0 * norm(way) / kSteps);
+                farthest = std::max(farthest, awayM(line[k]));
+                std::optional<int> outsideFrom;
+                for (int i = 0; i <= kSteps; ++i) {
+                    const bool isOut =
+                        !isInside(polygons, line[k - 1] + (static_cast<double>(i) / kSteps) * way);
+                    if (isOut && !outsideFrom) {
+                        outsideFrom = i;
+                    }
+                    if (outsideFrom && (!isOut || i == kSteps)) {
+                        const double middle = 0.5 * (*outsideFrom + i) / kSteps;
+                        farthest = std::max(farthest, awayM(line[k - 1] + middle * way));
+                        outsideFrom.reset();
+                    }
+                }
+            }
+            const auto found = PreparedArea{polygons}.farthestOutside({line});
+            const QByteArray where = "field " + QByteArray::number(field);
+            VERIFY_TOLD(std::abs((found ? found->distance.si() : 0.0) - farthest) <= slack, where);
+            if (found) {
+                VERIFY_TOLD(std::abs(awayM(found->point) - found->distance.si()) < 1e-9, where);
+            }
         }
     }
 

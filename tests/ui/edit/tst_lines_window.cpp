@@ -107,7 +107,7 @@ private slots:
         QVERIFY(!shows(refill));
         picture(QStringLiteral("refill2_planned"));
         click(refill + QStringLiteral(".asText"));
-        QTRY_VERIFY(shows(refill));
+        QTRY_VERIFY(shows(refill) && item(refill)->hasActiveFocus() && isScrolledTo(item(refill)));
         QVERIFY(item(refill)->property("text").toString().startsWith(QStringLiteral("MULTIPOINT")));
         picture(QStringLiteral("refill2_as_text"));
         click(refill + QStringLiteral(".asText"));
