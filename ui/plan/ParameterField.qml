@@ -37,9 +37,17 @@ Column {
     /// Got by clicks on the map: its text is there for those who want it.
     readonly property bool onMap: kind === ParameterModel.Text && picking !== ParameterModel.Pick.None && picking !== ParameterModel.Pick.File
     property bool asText: false
+    /// Its field is to come, and to get the keys.
+    property bool textAsked: false
     signal textWanted()
 
     spacing: 5
+    onPositioningComplete: {
+        // With the keys it is scrolled to, so it has to be in its place, as all around it.
+        if (root.textAsked)
+            Qt.callLater(() => root.textWanted());
+        root.textAsked = false;
+    }
 
     FontMetrics {
         id: metrics
@@ -80,9 +88,7 @@ Column {
             Accessible.name: qsTr("%1 as text").arg(root.name)
             onToggled: {
                 root.asText = checked;
-                // With the keys it is scrolled to.
-                if (checked)
-                    Qt.callLater(() => root.textWanted());
+                root.textAsked = checked;
             }
         }
     }
