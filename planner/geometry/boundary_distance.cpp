@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -21,6 +22,8 @@ constexpr double kMostCellsAcross = 500.0;
 constexpr double kCellShare = 0.5;
 // Extra distance against rounding at the sides of cells.
 constexpr double kSpareM = 1e-6;
+// So few edges of a cell are all looked at.
+constexpr std::size_t kFewEdges = 6;
 
 bool isBefore(Point a, Point b) {
     return std::pair{a.x, a.y} < std::pair{b.x, b.y};
@@ -31,6 +34,28 @@ Point inwardNormal(Point from, Point to) {
     const Point way = to - from;
     const double length = norm(way);
     return length > 0.0 ? Point{-way.y / length, way.x / length} : Point{};
+}
+
+template <class Edges>
+auto part(Edges& edges, std::uint32_t first, std::uint32_t last) {
+    return std::span{edges}.subspan(first, last - first);
+}
+
+/// Puts those first, in their order, that are at most by `acrossM` farther away than the nearest. Returns
+/// their number.
+template <class Away>
+std::uint32_t putNearestFirst(std::span<std::uint32_t> edges, double acrossM, const Away& awayM) {
+    if (edges.size() < kFewEdges) {
+        return static_cast<std::uint32_t>(edges.size());
+    }
+    std::vector<std::pair<double, std::uint32_t>> all;
+    std::ranges::transform(edges, std::back_inserter(all),
+                           [&](std::uint32_t e) { return std::pair{awayM(e), e}; });
+    const double mostM = std::ranges::min_element(all)->first + acrossM;
+    const auto others =
+        std::ranges::stable_partition(all, [&](const auto& edge) { return edge.first <= mostM; });
+    std::ranges::transform(all, edges.begin(), &std::pair<double, std::uint32_t>::second);
+    return static_cast<std::uint32_t>(all.size() - others.size());
 }
 
 }  // namespace
@@ -47,7 +72,7 @@ inline std::optional<std::size_t> BoundaryDistance::cellOf(Point point) const {
 
 inline std::span<const std::uint32_t> BoundaryDistance::edgesNear(Point point) const {
     const std::optional<std::size_t> cell = cellOf(point);
-    return cell ? std::span{edgesOf_}.subspan(firstOf_[*cell], firstOf_[*cell + 1] - firstOf_[*cell])
+    return cell ? part(edgesOf_, firstOf_[2 * *cell], firstOf_[2 * *cell + 2])
                 : std::span<const std::uint32_t>{};
 }
 
@@ -133,12 +158,23 @@ void BoundaryDistance::sortIntoCells() {
     corner_ = low - reach;
     columns_ = cellAt(high + reach).first + 1;
     rows_ = cellAt(high + reach).second + 1;
-    firstOf_.assign(columns_ * rows_ + 1, 0);
-    forEachCellNear(reachM_, [this](std::size_t cell, std::uint32_t) { ++firstOf_[cell + 1]; });
+    firstOf_.assign(2 * columns_ * rows_ + 1, 0);
+    forEachCellNear(reachM_, [this](std::size_t cell, std::uint32_t) { ++firstOf_[2 * cell + 2]; });
     std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
     edgesOf_.resize(firstOf_.back());
     std::vector<std::uint32_t> next = firstOf_;
-    forEachCellNear(reachM_, [&](std::size_t cell, std::uint32_t e) { edgesOf_[next[cell]++] = e; });
+    forEachCellNear(reachM_, [&](std::size_t cell, std::uint32_t e) { edgesOf_[next[2 * cell]++] = e; });
+    // No place of a cell is farther from its middle than half its diagonal.
+    const double acrossM = std::numbers::sqrt2 * cellM_ + kSpareM;
+    for (std::size_t cell = 0; cell < columns_ * rows_; ++cell) {
+        const Point middle = corner_ + Point{(static_cast<double>(cell % columns_) + 0.5) * cellM_,
+                                             (static_cast<double>(cell / columns_) + 0.5) * cellM_};
+        const std::span<std::uint32_t> edges = part(edgesOf_, firstOf_[2 * cell], firstOf_[2 * cell + 2]);
+        firstOf_[2 * cell + 1] =
+            firstOf_[2 * cell] + putNearestFirst(edges, acrossM, [&](std::uint32_t e) {
+                return distanceToSegment(middle, edges_[e].from, edges_[e].from + edges_[e].way);
+            });
+    }
 }
 
 // A cell without edges lies on one side of all edges. A line through the middles of its row tells which side.
@@ -217,7 +253,9 @@ std::optional<double> BoundaryDistance::insideM(Point point) const {
     double nearest = std::numeric_limits<double>::infinity();
     double nearestShare = 0.0;
     const Edge* edge = nullptr;
-    for (const std::uint32_t e : edgesNear(point)) {
+    const std::optional<std::size_t> cell = cellOf(point);
+    for (const std::uint32_t e : cell ? part(edgesOf_, firstOf_[2 * *cell], firstOf_[2 * *cell + 1])
+                                      : std::span<const std::uint32_t>{}) {
         const Point from = point - edges_[e].from;
         const double share = std::clamp(dot(from, edges_[e].way) * edges_[e].perSquare, 0.0, 1.0);
         const Point away = from - share * edges_[e].way;

@@ -64,8 +64,8 @@ private:
     std::vector<Edge> edges_;
     std::vector<Point> inwardCorners_;  // by x
     std::vector<Point> meetings_;       // corners at which several rings meet
-    // Square cells in rows, starting at the lower left corner. The edges of cell i start at
-    // edgesOf_[firstOf_[i]].
+    // Square cells in rows, from the lower left corner. The edges of cell i start at firstOf_[2 i] of
+    // edgesOf_, with those that may be nearest; the others start at firstOf_[2 i + 1].
     double cellM_;
     double perCell_ = 0.0;  ///< 1 / cellM_
     Point corner_;

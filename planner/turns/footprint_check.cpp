@@ -8,6 +8,19 @@
 
 namespace furrow {
 
+namespace {
+
+Bounds boundsOf(const Ring& ring) {
+    Bounds box{ring.front(), ring.front()};
+    for (const Point& point : ring) {
+        box = {{std::min(box.min.x, point.x), std::min(box.min.y, point.y)},
+               {std::max(box.max.x, point.x), std::max(box.max.y, point.y)}};
+    }
+    return box;
+}
+
+}  // namespace
+
 FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
                          const BoundaryDistance& edges) {
     const double reachM = edges.reachM();
@@ -32,14 +45,21 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
             freeM = insideM;
         }
     }
+    const Bounds box = boundsOf(footprint);
     const double farM = radiusM + reachM;
     for (const Point& corner : edges.inwardCorners(pose.position.x - farM, pose.position.x + farM)) {
         const Point way = corner - pose.position;
         // Skip corners that are farther away than the nearest so far plus the radius of the footprint.
         const double mostM = radiusM + room.cornersM;
-        if (dot(way, way) < mostM * mostM) {
-            room.cornersM =
-                std::min(room.cornersM, awayFrom(footprint, {dot(ahead, way), cross(ahead, way)}));
+        if (dot(way, way) >= mostM * mostM) {
+            continue;
+        }
+        const Point here{dot(ahead, way), cross(ahead, way)};
+        const double besideM =
+            std::max({box.min.x - here.x, here.x - box.max.x, box.min.y - here.y, here.y - box.max.y});
+        // Beside the box around the footprint by more than that, too.
+        if (besideM <= 0.0 || besideM < room.cornersM) {
+            room.cornersM = std::min(room.cornersM, awayFrom(footprint, here));
         }
     }
     return room;
