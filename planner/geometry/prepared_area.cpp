@@ -97,10 +97,10 @@ bool PreparedArea::coversHullOf(const std::vector<Polyline>& lines) const {
 std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Polyline>& lines) const {
     const GEOSPreparedGeometry* const area = impl_->prepared().prepared;
     std::optional<FarthestPoint> farthest;
-    const auto isOutside = [&](Point point) {
-        return GEOSPreparedIntersectsXY_r(handle(), area, point.x, point.y) == 0;
-    };
     const auto consider = [&](Point point) {
+        if (GEOSPreparedIntersectsXY_r(handle(), area, point.x, point.y) != 0) {
+            return;
+        }
         const Geometry place{GEOSGeom_createPointFromXY_r(handle(), point.x, point.y)};
         double away = 0.0;
         if (GEOSPreparedDistance_r(handle(), area, place.get(), &away) == 1 && away > 0.0 &&
@@ -110,24 +110,16 @@ std::optional<FarthestPoint> PreparedArea::farthestOutside(const std::vector<Pol
     };
     std::vector<double> cuts;
     for (const Polyline& line : lines) {
-        bool wasOutside = false;
         for (std::size_t k = 0; k < line.size(); ++k) {
-            const bool isOut = isOutside(line[k]);
-            if (isOut) {
-                consider(line[k]);
+            consider(line[k]);
+            if (k == 0) {
+                continue;
             }
-            if (k > 0) {
-                // A straight line through a hole is farthest outside somewhere between its two crossings.
-                impl_->crossings(line[k - 1], line[k], cuts);
-                for (std::size_t i = 1; i < cuts.size(); ++i) {
-                    const Point middle =
-                        line[k - 1] + 0.5 * (cuts[i - 1] + cuts[i]) * (line[k] - line[k - 1]);
-                    if (cuts.size() == 2 ? wasOutside && isOut : isOutside(middle)) {
-                        consider(middle);
-                    }
-                }
+            // A straight line through a hole is farthest outside somewhere between its two crossings.
+            impl_->crossings(line[k - 1], line[k], cuts);
+            for (std::size_t i = 1; i < cuts.size(); ++i) {
+                consider(line[k - 1] + 0.5 * (cuts[i - 1] + cuts[i]) * (line[k] - line[k - 1]));
             }
-            wasOutside = isOut;
         }
     }
     return farthest;

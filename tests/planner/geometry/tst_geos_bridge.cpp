@@ -289,6 +289,10 @@ private slots:
         QTest::newRow("across the hole is farthest out in its middle")
             << "LINESTRING(30 50, 70 50)" << false << "50 50" << 10.0;
         QTest::newRow("across a side of the hole") << "LINESTRING(30 57, 70 57)" << false << "50 57" << 3.0;
+        QTest::newRow("across the hole from corner to corner")
+            << "LINESTRING(40 40, 60 60)" << false << "50 50" << 10.0;
+        QTest::newRow("across the hole from edge to edge")
+            << "LINESTRING(40 45, 60 45)" << false << "50 45" << 5.0;
         QTest::newRow("wholly outside") << "LINESTRING(110 0, 130 50)" << false << "130 50" << 30.0;
     }
     void covers() {
