@@ -15,10 +15,8 @@ namespace {
 
 std::vector<Bounds> boxesOf(const std::vector<EdgeStrip>& strips) {
     std::vector<Bounds> boxes;
-    std::ranges::transform(strips, std::back_inserter(boxes), [](const EdgeStrip& strip) {
-        return Bounds{{std::min(strip.from.x, strip.to.x), std::min(strip.from.y, strip.to.y)},
-                      {std::max(strip.from.x, strip.to.x), std::max(strip.from.y, strip.to.y)}};
-    });
+    std::ranges::transform(strips, std::back_inserter(boxes),
+                           [](const EdgeStrip& strip) { return boundsOf(strip.from, strip.to); });
     return boxes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "planner/geometry/curve_parts.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/polygon_memo.h"
 #include "planner/geometry/simplify.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/edge_following.h"
@@ -48,6 +49,9 @@ constexpr double kLookCloselyM = 0.01;
 constexpr double kShortPieceM = 3.0;
 // Largest move of the line where corners are merged. A later check finds and corrects places outside.
 constexpr Length kMergeTolerance = metres(0.25);
+
+// Beyond this number of rings all are forgotten.
+constexpr std::size_t kMostRingsKept = 10'000;
 
 enum class Look { NowAndThen, Closely };
 
@@ -178,25 +182,12 @@ public:
         if (add(ring, made)) {
             return made;
         }
-        const auto known = std::ranges::find_if(
-            known_, [&](const Known& each) { return each.isHole == isHole && each.ring == ring; });
-        if (known != known_.end()) {
-            return known->lines;
-        }
-        auto rounded = roundedLinesOf(ring, isHole, job);
-        if (rounded) {
-            known_.push_back({ring, isHole, *rounded});
-        }
-        return rounded;
+        const Polygon key =
+            isHole ? Polygon{.outer = {}, .holes = {ring}} : Polygon{.outer = ring, .holes = {}};
+        return known_.get(key, [&](const Polygon&) { return roundedLinesOf(ring, isHole, job); });
     }
 
 private:
-    struct Known {
-        Ring ring;
-        bool isHole = false;
-        RingLines lines;
-    };
-
     bool add(const Ring& ring, RingLines& made) const {
         auto line = smoothRing(ring, radius_, kMergeTolerance, gentle_);
         if (line) {
@@ -226,7 +217,7 @@ private:
 
     Length radius_;
     Length gentle_;
-    std::vector<Known> known_;
+    PolygonMemo<RingLines> known_{kMostRingsKept};
 };
 
 /// The lines of a region, ring by ring.
