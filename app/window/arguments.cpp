@@ -2,7 +2,6 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
-#include <QVariant>
 
 #include <cstdio>
 
@@ -10,8 +9,6 @@ namespace furrow {
 
 namespace {
 
-// QCommandLineParser adds it to --help by itself.
-constexpr QLatin1String kAllHelp{"help-all"};
 constexpr QLatin1String kFieldId{"field-id"};
 constexpr QLatin1String kSelfTest{"self-test"};
 constexpr QLatin1String kScreenshot{"screenshot"};
@@ -48,7 +45,10 @@ QList<QCommandLineOption> windowOptions() {
 std::expected<Arguments, int> argumentsOf(const QCoreApplication& application) {
     QCommandLineParser parser;
     parser.setApplicationDescription(windowDescription());
-    const QCommandLineOption help = parser.addHelpOption();
+    // QCommandLineParser's own one comes with a second, for options that only process() can list.
+    const QCommandLineOption help{{QStringLiteral("h"), QStringLiteral("help")},
+                                  QStringLiteral("Displays help on commandline options.")};
+    parser.addOption(help);
     const QCommandLineOption version = parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("file"), QStringLiteral("Project or boundary file to open."),
                                  QStringLiteral("[FILE]"));
@@ -58,12 +58,12 @@ std::expected<Arguments, int> argumentsOf(const QCoreApplication& application) {
         std::fprintf(stderr, "furrow: %s\n", qPrintable(parser.errorText()));
         return std::unexpected(1);
     }
-    if (parser.isSet(help) || parser.isSet(kAllHelp)) {
+    if (parser.isSet(help)) {
         std::fputs(qPrintable(parser.helpText()), stdout);
         return std::unexpected(0);
     }
     if (parser.isSet(version)) {
-        std::printf("%s %s\n", qPrintable(application.property("applicationDisplayName").toString()),
+        std::printf("%s %s\n", qPrintable(QCoreApplication::applicationName()),
                     qPrintable(QCoreApplication::applicationVersion()));
         return std::unexpected(0);
     }
