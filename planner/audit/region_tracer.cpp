@@ -33,6 +33,20 @@ Ring withoutFlatBends(const Ring& ring) {
     return kept;
 }
 
+/// Adds a hole to the smallest polygon around it. Pieces that are joined by less than rounding are not known
+/// to be one, and a piece that touches itself has several outer rings.
+/// @param polygons  largest first
+void addHole(MultiPolygon& polygons, Ring hole) {
+    const auto isAround = [&](const Polygon& polygon) {
+        const auto inside =
+            std::ranges::count_if(hole, [&](Point point) { return isInside(polygon.outer, point); });
+        return 2 * inside > std::ssize(hole);
+    };
+    if (const auto around = std::ranges::find_last_if(polygons, isAround); !around.empty()) {
+        around.front().holes.push_back(std::move(hole));
+    }
+}
+
 bool isBetweenSameLines(const RegionTracer::Span& a, const RegionTracer::Span& b) {
     return a.leftLine != RegionTracer::kNoLine && a.leftLine == b.leftLine &&
            a.rightLine != RegionTracer::kNoLine && a.rightLine == b.rightLine;
@@ -286,24 +300,30 @@ std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
 MultiPolygon RegionTracer::finish(double leastAreaM2) {
     endAll();
     auto rings = closeRings();
-    // The outer ring of each piece first, then its holes.
+    // The outer rings of each piece first, then its holes.
     std::ranges::stable_sort(rings, [](const auto& a, const auto& b) {
         return a.first != b.first ? a.first < b.first : signedAreaM2(a.second) > signedAreaM2(b.second);
     });
     MultiPolygon polygons;
+    std::vector<Ring> apart;
     std::uint32_t piece = kNone;
+    std::size_t outerRings = 0;  // of this piece
     for (auto& [of, points] : rings) {
         Ring ring = withoutFlatBends(points);
         const double areaM2 = ring.size() < 3 ? 0.0 : signedAreaM2(ring);
         if (areaM2 > leastAreaM2) {
             polygons.push_back({.outer = std::move(ring), .holes = {}});
+            outerRings = of == piece ? outerRings + 1 : 1;
             piece = of;
-        } else if (areaM2 < -leastAreaM2 && of == piece) {
-            polygons.back().holes.push_back(std::move(ring));
+        } else if (areaM2 < -leastAreaM2) {
+            (of == piece && outerRings == 1 ? polygons.back().holes : apart).push_back(std::move(ring));
         }
     }
     std::ranges::stable_sort(polygons, std::ranges::greater{},
                              [](const Polygon& polygon) { return area(polygon); });
+    for (Ring& hole : apart) {
+        addHole(polygons, std::move(hole));
+    }
     return polygons;
 }
 

@@ -208,6 +208,26 @@ private slots:
         }
     }
 
+    // A trough of 10 m, its walls 1 m thick, and a lid between the tops of the walls, or over one of them,
+    // that meets them by nanometres or not at all: 10 + 1 + 1 m² and the lid.
+    void piecesThatMeetByNanometres() {
+        for (const double overM : {-2e-7, -5e-8, 0.0, 5e-8, 2e-7}) {
+            for (const double lidLeftM : {1.0, 0.0, -3.0}) {
+                RegionTracer tracer;
+                const auto wide = [](double left, double right) {
+                    return RegionTracer::Span{
+                        .leftLow = left, .leftHigh = left, .rightLow = right, .rightHigh = right};
+                };
+                const double lidM = lidLeftM == 1.0 ? 1.0 - overM : lidLeftM;
+                tracer.addRow(0.0, 1.0, {wide(0.0, 10.0)});
+                tracer.addRow(1.0, 2.0, {wide(0.0, 1.0), wide(9.0, 10.0)});
+                tracer.addRow(2.0, 3.0, {wide(lidM, 9.0 + overM)});
+                const MultiPolygon traced = tracer.finish(1e-3);
+                COMPARE_WITHIN(area(traced).si(), 12.0 + 9.0 - lidM, 1e-5);
+            }
+        }
+    }
+
     // Lanes that share their edges but for rounding, along the line and across it.
     void lanesLoseNothing() {
         std::mt19937_64 random{3};
@@ -231,6 +251,47 @@ private slots:
                 COMPARE_WITHIN((*found)[kOnce].area.si(), 200 * width * length, 1e-3);
                 COMPARE_WITHIN((*found)[kTwice].area.si(), 0.0, 1e-3);
                 COMPARE_WITHIN(area((*found)[kOnce].polygons).si(), 200 * width * length, 1e-2);
+            }
+        }
+    }
+
+    // What lies around lanes is one piece with a hole, also where the line is hardly along them: then lanes
+    // and land meet in rows of nanometres.
+    void landAroundLanesKeepsItsHole() {
+        std::mt19937_64 random{41};
+        for (int round = 0; round < 300; ++round) {
+            const double width = uniform(random, 1.0, 6.0);
+            const double length = uniform(random, 40.0, 200.0);
+            const double turn = uniform(random, 0.0, 6.3);
+            const Point along = direction(turn);
+            const Point left{-along.y, along.x};
+            const int count = 4 + round % 40;
+            const double gapM = std::pow(10.0, uniform(random, -11.0, -7.0));
+            MultiPolygon lanes;
+            for (int i = 0; i < count; ++i) {
+                // Swaths end at slanting edges.
+                const Point start =
+                    (uniform(random, 0.0, 8.0) * along) + (i * width + uniform(random, -gapM, gapM)) * left;
+                const Point end = start + uniform(random, 0.6, 1.0) * length * along;
+                lanes.push_back(
+                    {.outer = {start, end, end + width * left, start + width * left}, .holes = {}});
+            }
+            const auto corner = [&](double x, double y) { return x * along + y * left; };
+            const MultiPolygon land{
+                {.outer = {corner(-20.0, -20.0), corner(length + 30.0, -20.0),
+                           corner(length + 30.0, count * width + 20.0), corner(-20.0, count * width + 20.0)},
+                 .holes = {}}};
+            for (const double off : {0.0, 1e-11, 1e-10, 5e-10, 5e-9, 5e-8}) {
+                const auto found = measured(land, lanes, direction(turn + off));
+                VERIFY_RESULT(found);
+                const MeasuredRegion& around = (*found)[kFirstOnly];
+                VERIFY_TOLD(std::abs(area(around.polygons).si() - around.area.si()) < 1e-2,
+                            QStringLiteral("round %1, off by %2: %3 and %4 m²")
+                                .arg(round)
+                                .arg(off)
+                                .arg(area(around.polygons).si())
+                                .arg(around.area.si())
+                                .toUtf8());
             }
         }
     }
