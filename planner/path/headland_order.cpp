@@ -4,6 +4,7 @@
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/allowed_edges.h"
 #include "planner/turns/connection.h"
+#include "planner/turns/straight_turn.h"
 #include "planner/turns/trailer.h"
 
 #include <algorithm>
@@ -213,7 +214,11 @@ public:
         }
         std::vector<std::pair<Duration, std::size_t>> byTime;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            byTime.emplace_back(roughDuration(way(places[i], *fixed, fixedIsNext), machine_), i);
+            const Curve between = way(places[i], *fixed, fixedIsNext);
+            const Pose& from = fixedIsNext ? places[i].end : *fixed;
+            const Pose& to = fixedIsNext ? *fixed : places[i].pose;
+            byTime.emplace_back(
+                roughDuration(between, machine_) + turningOnTheSpot(between, from, to, machine_), i);
         }
         std::ranges::sort(byTime);
         for (const auto& [time, i] : byTime | std::views::take(kMostChecked)) {

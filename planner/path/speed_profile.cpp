@@ -1,6 +1,7 @@
 #include "planner/path/speed_profile.h"
 
 #include "planner/geometry/curve_sampling.h"
+#include "planner/turns/straight_turn.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ struct Run {
     Gear gear = Gear::Forward;
     std::vector<Step> steps;
     double pauseS = 0.0;  ///< time before it, on the spot, for more than steering
+    double turnsS = 0.0;  ///< before it, on the spot
     bool stands = false;  ///< before it, for any time
 };
 
@@ -171,6 +173,19 @@ void addSteering(std::vector<Run>& runs, const Machine& machine) {
     }
 }
 
+/// The time to turn on the spot from one heading to another.
+double spotTurnS(const Pose& from, const Pose& to, const Machine& machine) {
+    const Angle turn = radians(std::remainder((to.heading - from.heading).si(), 2.0 * std::numbers::pi));
+    return std::abs(turn.si()) > kHeadingJumpRad ? turningOnTheSpot(turn, machine).si() : 0.0;
+}
+
+/// The machine turns on the spot where headings jump.
+void addSpotTurns(std::vector<Run>& runs, const Machine& machine) {
+    for (std::size_t r = 1; r < runs.size(); ++r) {
+        runs[r].turnsS = spotTurnS(runs[r - 1].steps.back().to, runs[r].steps.front().from, machine);
+    }
+}
+
 /// The machine stands to fold its implement for the road, and to unfold it again.
 void addFolding(std::vector<Run>& runs, const Machine& machine) {
     for (std::size_t r = 1; r < runs.size(); ++r) {
@@ -192,23 +207,32 @@ void addRefills(std::vector<Run>& runs, const Machine& machine) {
     }
 }
 
-/// The implement is lifted and lowered between two stretches of work. The turn is slow enough for that, or
-/// has a pause if it has no length.
+/// The implement is lifted and lowered between two stretches of work, also while the machine turns on the
+/// spot. The turn is slow enough for that, or has a pause if it has no length.
 std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
     const double handlingS = (machine.spec().implement.liftTime + machine.spec().implement.lowerTime).si();
     std::vector<Run> runs;
-    for (const Leg& leg : legs) {
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        const Leg& leg = legs[i];
         double longestMps = std::numeric_limits<double>::infinity();
         const double lengthM = leg.line.length().si();
-        const bool isHandled = leg.kind == SegmentKind::Turn && handlingS > 0.0;
+        double handledS = leg.kind == SegmentKind::Turn ? handlingS : 0.0;
+        if (handledS > 0.0 && i > 0) {
+            handledS -= spotTurnS(legs[i - 1].line.end(), leg.line.start, machine);
+        }
+        if (handledS > 0.0 && i + 1 < legs.size()) {
+            handledS -= spotTurnS(leg.line.end(), legs[i + 1].line.start, machine);
+        }
+        const bool isHandled = handledS > 0.0;
         if (isHandled && lengthM > kShortestStepM) {
-            longestMps = lengthM / handlingS;
+            longestMps = lengthM / handledS;
         }
         addRuns(leg, longestMps, machine, runs);
         if (isHandled && lengthM <= kShortestStepM) {
-            runs.back().pauseS = handlingS;
+            runs.back().pauseS = handledS;
         }
     }
+    addSpotTurns(runs, machine);
     addFolding(runs, machine);
     addRefills(runs, machine);
     if (steering == SteeringLimit::Kept) {
@@ -217,17 +241,12 @@ std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, Steer
     return runs;
 }
 
-bool jumps(const Pose& a, const Pose& b) {
-    return std::abs(std::remainder((a.heading - b.heading).si(), 2.0 * std::numbers::pi)) > kHeadingJumpRad;
-}
-
 /// Bounds of the speeds at the ends of every step, in order: one more than there are steps.
 std::vector<double> speedLimitsAtEnds(std::span<const Run> runs) {
     std::vector<double> speeds{0.0};
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const bool stops =
-            r > 0 && (runs[r].gear != runs[r - 1].gear || runs[r].pauseS > 0.0 || runs[r].stands ||
-                      jumps(runs[r - 1].steps.back().to, runs[r].steps.front().from));
+        const bool stops = r > 0 && (runs[r].gear != runs[r - 1].gear || runs[r].pauseS > 0.0 ||
+                                     runs[r].stands || runs[r].turnsS > 0.0);
         if (stops) {
             speeds.back() = 0.0;
         }
@@ -293,8 +312,8 @@ public:
     explicit PathWriter(double acceleration) : acceleration_{acceleration} {}
 
     void begin(const Run& run, double speedMps, bool refills) {
-        // The implement is handled or folded, and the wheels are turned at the same time.
-        timeS_ += std::max(run.pauseS, run.steps.front().pauseS);
+        // The implement is handled or folded, the wheels are steered, and the machine turns at the same time.
+        timeS_ += std::max({run.pauseS, run.steps.front().pauseS, run.turnsS});
         path_.segments.push_back(
             {.kind = run.leg->kind,
              .turnType = std::string{run.leg->kind == SegmentKind::Turn ? run.leg->line.type : ""},

@@ -6,6 +6,7 @@
 #include "planner/plan/ground.h"
 #include "planner/plan/ways_room.h"
 #include "planner/turns/methods.h"
+#include "planner/turns/straight_turn.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -64,7 +65,8 @@ Result<std::vector<TurnOption>> othersThan(const Plan& plan, const DrivenTurn& t
             continue;
         }
         others.push_back({.name = Message{kind->info.name},
-                          .duration = roughDuration(free, request.machine),
+                          .duration = roughDuration(free, request.machine) +
+                                      turningOnTheSpot(free, from, to, request.machine),
                           .fits = ways->room->raised->byOne(*kind, from, to).has_value()});
     }
     std::ranges::stable_sort(

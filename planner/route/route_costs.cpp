@@ -3,6 +3,7 @@
 #include "planner/route/given_steps.h"
 #include "planner/route/methods.h"
 #include "planner/turns/connection.h"
+#include "planner/turns/straight_turn.h"
 
 #include <algorithm>
 #include <numeric>
@@ -107,7 +108,7 @@ double RouteCosts::costOf(Length length, Duration time, double FuelUse::* litres
                                                       : time.si();
 }
 
-double RouteCosts::costOf(const Curve& way) const {
+double RouteCosts::costOf(const Curve& way, const Pose& from, const Pose& to) const {
     const Machine& machine = task_.machine;
     Duration time = roughDuration(way, machine);
     if (way.type == kCombinedTurn && way.length() > longestTurn(machine)) {
@@ -115,7 +116,8 @@ double RouteCosts::costOf(const Curve& way) const {
     }
     const Implement& implement = machine.spec().implement;
     return costOf(way.length(),
-                  std::max(time + steering(way, machine), implement.liftTime + implement.lowerTime));
+                  std::max(time + steering(way, machine) + turningOnTheSpot(way, from, to, machine),
+                           implement.liftTime + implement.lowerTime));
 }
 
 bool RouteCosts::isLockedOut(SwathEnd leaving, SwathEnd entered) const {
@@ -150,7 +152,9 @@ double RouteCosts::workingOn(std::size_t swath) const {
 LinkCosts::Functions RouteCosts::functions() {
     LinkCosts::Functions costs;
     costs.link = [this](SwathEnd leaving, SwathEnd entered) {
-        return costOf(connection(left_[leaving], lines_[entered].start, task_.machine, task_.turn)) +
+        const Pose& from = left_[leaving];
+        const Pose& to = lines_[entered].start;
+        return costOf(connection(from, to, task_.machine, task_.turn), from, to) +
                (isLockedOut(leaving, entered) ? kBroken : 0.0);
     };
     costs.atLeast = [this](SwathEnd a, SwathEnd b) {
@@ -172,7 +176,8 @@ LinkCosts::Functions RouteCosts::functions() {
             if (!way && effort_ == SearchEffort::None) {
                 return std::nullopt;
             }
-            return way ? costOf(*way) : links_.link(leaving, entered) + noWay;
+            return way ? costOf(*way, left_[leaving], lines_[entered].start)
+                       : links_.link(leaving, entered) + noWay;
         };
     }
     return costs;

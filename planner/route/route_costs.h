@@ -38,7 +38,7 @@ public:
     bool isBroken(const EndOrder& order) const;
 
 private:
-    double costOf(const Curve& way) const;
+    double costOf(const Curve& way, const Pose& from, const Pose& to) const;
     double costOf(Length length, Duration time, double FuelUse::* litresPerHour = &FuelUse::turningLph) const;
     bool isLockedOut(SwathEnd leaving, SwathEnd entered) const;
     bool isWrongFirst(SwathEnd entered) const;

@@ -5,9 +5,12 @@
 #include "planner/turns/dubins.h"
 #include "planner/turns/named_turns.h"
 #include "planner/turns/reeds_shepp.h"
+#include "planner/turns/straight_turn.h"
+#include "planner/units/angle.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,6 +21,9 @@ namespace {
 
 // Number of pieces of a forward curve.
 constexpr std::size_t kCurvePieces = 3;
+// Between two places at which the room for a turn on the spot is looked at. The ends of the machine bulge out
+// of the chord by its reach * step² / 8, less than a tenth of a millimetre.
+constexpr double kSpotStepRad = 0.01;
 // A smaller increase of cost counts as equal.
 constexpr double kNoDearer = 1.0005;
 
@@ -36,7 +42,8 @@ std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, con
         Curve turn = connection(leaving, arriving, machine, method->run);
         // A method that does not suit the poses returns another method's turn.
         if (turn.type == method->info.id || method == &kDubinsMethod) {
-            const Duration time = roughDuration(turn, machine);
+            const Duration time =
+                roughDuration(turn, machine) + turningOnTheSpot(turn, leaving, arriving, machine);
             found.push_back({std::move(turn), time});
         }
     };
@@ -44,21 +51,58 @@ std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, con
     if (canReverse(machine)) {
         std::ranges::for_each(kReversing, add);
     }
+    if (canTurnOnTheSpot(machine)) {
+        add(&kStraightMethod);
+    }
     std::ranges::stable_sort(found, {}, &Candidate::time);
     return found;
 }
 
 Curve runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) {
     Curve quickest = dubinsTurn(from, to, machine.minTurningRadius());
+    Duration time = roughDuration(quickest, machine);
+    const auto take = [&](Curve other) {
+        const Duration takes = roughDuration(other, machine) + turningOnTheSpot(other, from, to, machine);
+        if (takes < time) {
+            time = takes;
+            quickest = std::move(other);
+        }
+    };
     if (canReverse(machine)) {
         for (const auto* method : kReversing) {
-            Curve other = method->run(from, to, machine);
-            if (roughDuration(other, machine) < roughDuration(quickest, machine)) {
-                quickest = std::move(other);
-            }
+            take(method->run(from, to, machine));
         }
     }
+    if (canTurnOnTheSpot(machine)) {
+        take(straightTurn(from, to));
+    }
     return quickest;
+}
+
+/// Whether the machine stays inside while it turns on the spot, the shorter way round.
+bool hasRoomToTurn(const Rig& rig, const Pose& from, Angle to) {
+    const double turn = wrappedAngle(to - from.heading).si();
+    double reachM = 0.0;
+    for (const Point& corner : rig.machine().turningFootprint()) {
+        reachM = std::max(reachM, norm(corner));
+    }
+    for (double turned = 0.0; turned < std::abs(turn);) {
+        const Pose at{.position = from.position,
+                      .heading = from.heading + radians(std::copysign(turned, turn))};
+        const double roomM = rig.roomM(Rig::inLine(at));
+        if (roomM < -kContactM) {
+            return false;
+        }
+        turned += std::max(kSpotStepRad, roomM / reachM);
+    }
+    return true;
+}
+
+/// Whether a way fits between two poses, with what it turns on the spot at its ends.
+bool fits(const Curve& way, const Rig& rig, const Pose& leaving, const Pose& arriving) {
+    return rig.driven(Rig::inLine(leaving), way).has_value() &&
+           (way.type != kStraightMethod.info.id || (hasRoomToTurn(rig, leaving, way.start.heading) &&
+                                                    hasRoomToTurn(rig, way.end(), arriving.heading)));
 }
 
 /// The time, with every metre weighted by the cost of its place.
@@ -141,10 +185,9 @@ std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& a
 std::optional<Curve> quickestThatFits(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                       const Machine& machine) {
     std::vector<Candidate> turns = candidates(leaving, arriving, machine);
-    const auto fits = std::ranges::find_if(turns, [&](const Candidate& candidate) {
-        return rig.driven(Rig::inLine(leaving), candidate.turn).has_value();
-    });
-    return fits != turns.end() ? std::optional{std::move(fits->turn)} : std::nullopt;
+    const auto found = std::ranges::find_if(
+        turns, [&](const Candidate& candidate) { return fits(candidate.turn, rig, leaving, arriving); });
+    return found != turns.end() ? std::optional{std::move(found->turn)} : std::nullopt;
 }
 
 }  // namespace
@@ -169,7 +212,7 @@ std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose
     for (const Machine* const machine : {&rig.steeredMachine(), &rig.machine()}) {
         Curve turn = connection(leaving, arriving, *machine, kind.run);
         if (turn.type == kind.info.id && !isDear(turn, *machine, travel) &&
-            rig.driven(Rig::inLine(leaving), turn)) {
+            fits(turn, rig, leaving, arriving)) {
             return turn;
         }
     }

@@ -1,5 +1,7 @@
 #include "planner/turns/straight_turn.h"
 
+#include "planner/units/angle.h"
+
 #include <cmath>
 
 namespace furrow {
@@ -11,6 +13,32 @@ Curve straightTurn(const Pose& from, const Pose& to) {
     return {.type = "straight",
             .start = {.position = from.position, .heading = heading},
             .pieces = {{.length = metres(lengthM), .curvature = {}}}};
+}
+
+bool canTurnOnTheSpot(const Machine& machine) {
+    return machine.spec().tractor.canTurnInPlace && machine.spec().implement.mounting != Mounting::Trailed;
+}
+
+Duration turningOnTheSpot(Angle turn, const Machine& machine) {
+    const Tractor& tractor = machine.spec().tractor;
+    const double wayM = 0.5 * tractor.width.si() * std::abs(turn.si());
+    const double mps = machine.turningSpeed().si();
+    const double acceleration = tractor.maxAcceleration.si();
+    return seconds(wayM > mps * mps / acceleration ? wayM / mps + mps / acceleration
+                                                   : 2.0 * std::sqrt(wayM / acceleration));
+}
+
+Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, const Machine& machine) {
+    // Drawn curves end along their poses except for rounding.
+    constexpr double kNoTurnRad = 1e-6;
+    Duration sum;
+    for (const Angle turn :
+         {wrappedAngle(way.start.heading - from.heading), wrappedAngle(to.heading - way.end().heading)}) {
+        if (std::abs(turn.si()) > kNoTurnRad) {
+            sum += turningOnTheSpot(turn, machine);
+        }
+    }
+    return sum;
 }
 
 const Method<TurnPlanner> kStraightMethod{

@@ -8,6 +8,15 @@ namespace furrow {
 /// For machines that turn on the spot: straight from place to place. The heading jumps at both ends.
 Curve straightTurn(const Pose& from, const Pose& to);
 
+/// A trailed implement does not turn with its tractor.
+bool canTurnOnTheSpot(const Machine& machine);
+
+/// The time to turn by an angle, standing: the outer wheel drives round the middle at the turning speed, and
+/// speeds up and brakes as on any way.
+Duration turningOnTheSpot(Angle turn, const Machine& machine);
+/// The same for what a way turns at its two ends. None for ways that begin and end along these poses.
+Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
+
 extern const Method<TurnPlanner> kStraightMethod;
 
 }  // namespace furrow

@@ -200,6 +200,37 @@ private slots:
         }
     }
 
+    // A quarter turn on the spot takes the outer wheel, 1 m from the middle, over pi / 2 m. It speeds up and
+    // brakes with 0.5 m/s² and does not reach 1 m/s, which would take it 2 m: 2 sqrt(way / 0.5) seconds. The
+    // implement is lifted and lowered meanwhile.
+    void turnsOnTheSpotTakeTime_data() {
+        QTest::addColumn<double>("handlingS");
+        QTest::newRow("lifted at once") << 0.0;
+        QTest::newRow("lifted meanwhile") << 3.0;
+    }
+    void turnsOnTheSpotTakeTime() {
+        QFETCH(double, handlingS);
+        MachineSpec spec = plainRobot().spec();
+        spec.tractor.width = metres(2.0);
+        spec.tractor.turningSpeed = metresPerSecond(1.0);
+        spec.tractor.maxAcceleration = Acceleration::fromSi(0.5);
+        spec.implement.liftTime = seconds(handlingS);
+        spec.implement.lowerTime = seconds(handlingS);
+        const Machine robot = Machine::create(spec).value();
+        const Driven driven = drive({test::rectangle(100.0, 10.0)}, robot, 0.0, kStraightMethod.run);
+        const double quarterS = 2.0 * std::sqrt(0.5 * kPi / 0.5);
+        // 2.5 m from stop to stop: speeding up to 1 m/s and braking take 1 m each and 2 s each.
+        const double acrossS = 2.0 + 2.0 + 0.5;
+        for (std::size_t s = 1; s < driven.path.segments.size(); ++s) {
+            const PathSegment& segment = driven.path.segments[s];
+            COMPARE_WITHIN(segment.samples.front().tS - driven.path.segments[s - 1].samples.back().tS,
+                           quarterS, 1e-9);
+            if (segment.kind == SegmentKind::Turn) {
+                COMPARE_WITHIN(segment.samples.back().tS - segment.samples.front().tS, acrossS, 1e-9);
+            }
+        }
+    }
+
     // The tractor is 2.1 m ahead of the middle of the implement, whichever way it drives.
     void theImplementIsOnTheSwath() {
         const Driven driven = drive({test::rectangle(100.0, 10.0)}, agbot(), 0.0, kDubinsMethod.run);

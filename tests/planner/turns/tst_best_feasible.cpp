@@ -183,6 +183,61 @@ private slots:
         QVERIFY(secondsOf(turn) <= secondsOf(dubinsTurn(from, to, metres(4.0))) + 1e-6);
     }
 
+    // A machine that can turns on the spot where that is quicker. Its outer wheel is 1 m from the middle: a
+    // quarter turn takes 2 sqrt(pi / 2 / 0.5) = 3.54 s. To a swath 2.5 m beside it takes 7.09 + 2.5 / 1.5 =
+    // 8.76 s, a bulb of 26.2 m at 1.5 m/s 17.5 s. To one 20 m away it takes 20.4 s, a U of 24.6 m 16.4 s.
+    void onTheSpot_data() {
+        QTest::addColumn<double>("awayM");
+        QTest::addColumn<bool>("can");
+        QTest::addColumn<bool>("trailed");
+        QTest::addColumn<bool>("turns");
+        QTest::newRow("next swath") << 2.5 << true << false << true;
+        QTest::newRow("far swath") << 20.0 << true << false << false;
+        QTest::newRow("cannot") << 2.5 << false << false << false;
+        QTest::newRow("pulls an implement") << 2.5 << true << true << false;
+    }
+    void onTheSpot() {
+        QFETCH(double, awayM);
+        QFETCH(bool, can);
+        QFETCH(bool, trailed);
+        QFETCH(bool, turns);
+        MachineSpec spec = specOf(4.0);
+        spec.tractor.canTurnInPlace = can;
+        if (trailed) {
+            spec.implement.mounting = Mounting::Trailed;
+            spec.implement.hitchOffset = metres(-1.5);
+            spec.implement.offset = metres(-4.0);
+        }
+        const Machine machine = Machine::create(spec).value();
+        const MultiPolygon open{test::centredRectangle(400.0, 400.0)};
+        const Pose from = test::pose(0.0, 0.0, 90.0);
+        const Pose to = test::pose(awayM, 0.0, -90.0);
+        QCOMPARE(kBestFeasibleMethod.run(from, to, machine).type == "straight", turns);
+        const Curve turn = feasibleConnection(Rig{open, machine}, from, to, {}, {});
+        QCOMPARE(turn.type == "straight", turns);
+        QVERIFY(distance(turn.end().position, to.position) < 1e-6);
+    }
+
+    // The nose's corners go round at hypot(3, 1) = 3.16 m.
+    void roomToTurnOnTheSpot_data() {
+        QTest::addColumn<double>("depthM");
+        QTest::addColumn<bool>("turns");
+        QTest::newRow("corners swing out") << 3.1 << false;
+        QTest::newRow("corners pass") << 3.2 << true;
+    }
+    void roomToTurnOnTheSpot() {
+        QFETCH(double, depthM);
+        QFETCH(bool, turns);
+        MachineSpec spec = specOf(4.0);
+        spec.tractor.canTurnInPlace = true;
+        const Machine machine = Machine::create(spec).value();
+        const MultiPolygon inside{test::rectangle(60.0, 50.0)};
+        const Pose from = test::pose(30.0, 50.0 - depthM, 90.0);
+        const Pose to = test::pose(32.5, 50.0 - depthM, -90.0);
+        const Curve turn = feasibleConnection(Rig{inside, machine}, from, to, {}, {});
+        QCOMPARE(turn.type == "straight", turns);
+    }
+
     // Round a block in the way, and straight on for the implement's run-in before it is lowered.
     void roundABlockWithARunIn() {
         MachineSpec spec = specOf(4.0);
