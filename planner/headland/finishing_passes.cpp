@@ -41,7 +41,7 @@ Result<void> chooseBest(std::vector<FinishingLane> lanes, const FinishingLanes& 
                         const FinishingTask& task, Chosen& chosen, const JobContext& job) {
     const auto less = [](const FinishingLane& a, const FinishingLane& b) { return a.gainM2 < b.gainM2; };
     std::ranges::make_heap(lanes, less);
-    while (!lanes.empty() && chosen.passes.size() < kMostFinishingPasses && isTooMuch(task, chosen.left) &&
+    while (!lanes.empty() && chosen.passes.size() < task.most && isTooMuch(task, chosen.left) &&
            !finder.isSpent()) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
@@ -100,7 +100,7 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
     };
     const auto isRefused = [&](const Curve& line) { return finder.isRefused(line); };
     std::size_t givenUp = 0;
-    while (chosen.passes.size() < kMostFinishingPasses && isTooMuch(task, chosen.left)) {
+    while (chosen.passes.size() < task.most && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
             return std::unexpected(cancelled());
         }

@@ -11,8 +11,9 @@ namespace furrow {
 
 extern const Parameter kHeadlandFinish;
 
-/// Of one field and one call: with more of them nobody finds the way. What is left then blocks the plan.
-inline constexpr std::size_t kMostFinishingPasses = 128;
+/// Of one field: with more of them nobody finds the way. What is left then blocks the plan. Two hundred poles
+/// in a field take six hundred.
+inline constexpr std::size_t kMostFinishingPasses = 640;
 
 /// The land that other passes leave, and the amount that may stay.
 struct FinishingTask {
@@ -24,12 +25,13 @@ struct FinishingTask {
     FullLockPasses* bends = nullptr;              ///< for machines that cannot reverse
     std::span<const Polygon> leftOnPurpose = {};  ///< no pass works any of it
     std::span<const PassStretch> refused = {};    ///< no way in or out; left out, with nearly equal ones
+    std::size_t most = kMostFinishingPasses;      ///< passes
 };
 
 /// Short straight passes over the land left at corners and between other passes. Each runs along an edge or
 /// along the piece itself, in either direction. A greedy choice adds passes until little enough is left. If
 /// `bends` is given, passes on full lock over land at the edges come first. No pass is returned that would
-/// gain little, and no more than `kMostFinishingPasses`. Each has one stretch. Cost: some checks of the rig
+/// gain little, and no more than `most`. Each has one stretch. Cost: some checks of the rig
 /// and some GEOS overlays for each. Cancelled.
 Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, const JobContext& job);
 

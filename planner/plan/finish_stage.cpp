@@ -138,7 +138,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
                                              .lowered = lowered,
                                              .bends = *bends ? &**bends : nullptr,
                                              .leftOnPurpose = driven.leftOnPurpose,
-                                             .refused = refused},
+                                             .refused = refused,
+                                             .most = kMostFinishingPasses - driven.finishing.size()},
                                             part.part(0.0, 0.2));
         if (!passes) {
             return std::unexpected(passes.error());
