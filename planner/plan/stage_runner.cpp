@@ -24,6 +24,8 @@ namespace {
 
 // Of the progress where obstacles may have to be planned once more.
 constexpr double kFirstTry = 0.95;
+// Headlands of refused obstacles may refuse others. After so many times all obstacles get one.
+constexpr int kMostRefusals = 5;
 
 /// The obstacles that swaths get round. The refused ones get a headland.
 std::vector<Ring> without(std::vector<Ring> obstacles, const std::vector<std::size_t>& refused) {
@@ -81,7 +83,8 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
 /// headland after all.
 Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shared_ptr<const Ground>& ground,
                                      std::vector<Ring> round, const JobContext& job) {
-    for (JobContext part = job;; part = job.withoutProgress()) {
+    JobContext part = job;
+    for (int refusals = 0;; part = job.withoutProgress()) {
         const MultiPolygon workable = filled(request.field->drivable(), round);
         const auto headland = this->headland(request, ground, round, workable, part.part(0.0, 0.12));
         if (!headland) {
@@ -90,7 +93,7 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
         std::vector<Ring> inside =
             insideMainland(round, (*headland)->mainland, ground->margin, request.machine);
         if (inside.size() < round.size()) {
-            round = std::move(inside);
+            round = ++refusals < kMostRefusals ? std::move(inside) : std::vector<Ring>{};
             continue;
         }
         const JobContext searching = part.part(0.12, 0.9);
@@ -121,7 +124,8 @@ Result<LaidOut> StageRunner::laidOut(const PlanRequest& request, const std::shar
         if ((*swaths)->refused.empty()) {
             return LaidOut{*headland, {*swaths, &(*swaths)->laid}};
         }
-        round = without(std::move(round), (*swaths)->refused);
+        round =
+            ++refusals < kMostRefusals ? without(std::move(round), (*swaths)->refused) : std::vector<Ring>{};
     }
 }
 
