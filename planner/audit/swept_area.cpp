@@ -18,6 +18,10 @@ namespace {
 constexpr Length kHairWidth = metres(0.1);
 // A smaller piece stays one, hairs and all: no single pass is sent to its parts.
 constexpr Area kWorthSplitting = squareMetres(5.0);
+// Grids on which plans that differ elsewhere leave the same pieces of land, to the last bit. What was found
+// for a piece then serves all of them.
+constexpr double kPieceGridM = 1e-5;
+constexpr double kDirectionGridRad = 1e-12;
 
 struct WorkingLine {
     Point right;
@@ -265,6 +269,45 @@ Length hairWidth(const AuditInput& input) {
                           : Length{});
 }
 
+double onGrid(double value, double step) {
+    return step * std::round(value / step);
+}
+
+Ring onGrid(const Ring& ring) {
+    Ring rounded;
+    for (const Point& point : ring) {
+        const Point there{onGrid(point.x, kPieceGridM), onGrid(point.y, kPieceGridM)};
+        if (rounded.empty() || rounded.back() != there) {
+            rounded.push_back(there);
+        }
+    }
+    while (rounded.size() > 1 && rounded.back() == rounded.front()) {
+        rounded.pop_back();
+    }
+    return rounded;
+}
+
+/// Pieces on the grid, where that leaves them valid.
+Result<MultiPolygon> onGrid(MultiPolygon pieces, const JobContext& job) {
+    for (Polygon& piece : pieces) {
+        Polygon rounded{.outer = onGrid(piece.outer), .holes = {}};
+        std::ranges::transform(piece.holes, std::back_inserter(rounded.holes),
+                               [](const Ring& hole) { return onGrid(hole); });
+        std::erase_if(rounded.holes, [](const Ring& hole) { return hole.size() < 3; });
+        if (rounded.outer.size() < 3) {
+            continue;
+        }
+        const auto invalid = findInvalidPlace({rounded}, job);
+        if (!invalid) {
+            return std::unexpected(invalid.error());
+        }
+        if (!*invalid) {
+            piece = std::move(rounded);
+        }
+    }
+    return pieces;
+}
+
 Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, KnownPieces& known,
                                   const JobContext& job) {
     MultiPolygon kept;
@@ -339,7 +382,10 @@ Point mainDirection(const std::vector<SegmentMotion>& motions) {
             }
         }
     }
-    return along;
+    // Which way round it is driven, and its rounding, make no difference.
+    const double turned = onGrid(std::atan2(along.y, along.x), kDirectionGridRad);
+    const Point rounded{std::cos(turned), std::sin(turned)};
+    return rounded.y < 0.0 || (rounded.y == 0.0 && rounded.x < 0.0) ? -1.0 * rounded : rounded;
 }
 
 Result<SweptArea> measureSweptArea(const AuditInput& input, const AuditedLand& land,
@@ -386,8 +432,9 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const AuditedLand& l
     result.droppedArea = regions[kDropped].area;
     result.beyondReachArea = regions[kBeyond].area;
     result.beyondReach = std::move(regions[kBeyond].polygons);
-    auto pieces =
-        withoutHairs(std::move(regions[kDropped].polygons), hairWidth(input), *land.withoutHairs, job);
+    auto pieces = onGrid(std::move(regions[kDropped].polygons), job).and_then([&](MultiPolygon&& dropped) {
+        return withoutHairs(std::move(dropped), hairWidth(input), *land.withoutHairs, job);
+    });
     if (!pieces) {
         return std::unexpected(pieces.error());
     }

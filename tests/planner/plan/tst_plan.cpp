@@ -95,6 +95,35 @@ private slots:
         VERIFY_TOLD(same(**one, **again), told);
     }
 
+    // Many of the pieces of land that orders of the same swaths leave are the same to the last bit: what is
+    // found for them once serves all orders.
+    void otherOrdersLeaveTheSamePieces() {
+        std::mt19937_64 random{2100};
+        int same = 0;
+        int all = 0;
+        for (int i = 0; i < 4; ++i) {
+            const auto field = fieldOf(test::randomPolygons(random, test::Shape::Concave, 120.0));
+            const auto leftBy = [&](std::string_view pattern) {
+                return makePlan({.field = field,
+                                 .machine = findMachine("cultivator").value(),
+                                 .settings = settingsOf({{"route.method", pattern},
+                                                         {"swaths.method", "fixed"},
+                                                         {"swaths.angle_deg", "33.3"},
+                                                         {"headland.passes", "2"},
+                                                         {"headland.corner", "rounded"},
+                                                         {"headland.finish", "false"}})})
+                    .value()
+                    ->audit.leftAreas;
+            };
+            const MultiPolygon left = leftBy("boustrophedon");
+            const MultiPolygon leftOther = leftBy("skip");
+            all += static_cast<int>(left.size());
+            same += static_cast<int>(std::ranges::count_if(
+                left, [&](const Polygon& piece) { return std::ranges::contains(leftOther, piece); }));
+        }
+        VERIFY_TOLD(3 * same > all, QStringLiteral("%1 of %2").arg(same).arg(all).toUtf8());
+    }
+
     // What every plan keeps to, whatever the field.
     void everyPlan_data() {
         QTest::addColumn<int>("shape");
