@@ -24,6 +24,8 @@ namespace {
 constexpr Angle kSameHeading = degrees(0.01);
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
+// What blocks in more places than this, no other heading mends.
+constexpr std::ptrdiff_t kMostBlocked = 25;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
 constexpr double kNearPattern = 0.04;
 // Of so few swaths all patterns are driven: where the headland takes most of the time, the order that leads
@@ -48,6 +50,9 @@ auto problemsOf(const PlannedStages& plan) {
 std::vector<HeadingCandidate> headingsToTry(const PlannedStages& plan) {
     const SwathSet& swaths = plan.laidOut.laid->swaths;
     std::vector<HeadingCandidate> headings;
+    if (lastingCount(plan.driven->findings) > kMostBlocked) {
+        return headings;
+    }
     for (const HeadingCandidate& each : swaths.candidates) {
         const bool isWanted = each.alongLongestEdge || (!plan.drivable() && headings.size() < kMostHeadings);
         if (isWanted && angleBetweenLines(each.heading, swaths.heading) > kSameHeading) {
@@ -79,6 +84,12 @@ std::optional<BestSoFar> with(const BestSoFar& best, std::optional<PlannedStages
         other.plan = std::move(made);
         return other;
     });
+}
+
+/// The kind of corner of a plan. The quickest of them is the first that is planned.
+std::string cornerOf(const PlannedStages& plan) {
+    std::string corner = plan.request.settings.choice(kHeadlandCorner);
+    return corner == kQuickestCorner ? std::string{kRoundedCorner} : corner;
 }
 
 /// Without a reverse gear the third kind is the second one.
@@ -201,8 +212,7 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
         best.plan.laidOut.headland->drivenPasses.empty()) {
         return {};
     }
-    std::string taken = best.plan.request.settings.choice(kHeadlandCorner);
-    taken = taken == kQuickestCorner ? std::string{kRoundedCorner} : taken;
+    const std::string taken = cornerOf(best.plan);
     note(best.instead, kHeadlandCorner, taken);
     if (lastingCount(best.plan.driven->findings) > 0 || isTooLargeToCompare(best.plan)) {
         return {};
@@ -309,7 +319,7 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
         request.settings.set(kHeadlandCorner, corner).value();
     }
     auto plan = nearPlan(best, request, kNearInHeading, nullptr, job.part(0.0, kItself));
-    if (plan && !*plan && isByTime && corner != kRoundedCorner) {
+    if (plan && !*plan && isByTime && cornerOf(best.plan) != kRoundedCorner) {
         // Corners that are driven into may block with this change.
         request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
         expect(1);
