@@ -8,8 +8,12 @@ Rectangle {
     required property FieldEditor editor
     required property bool hasField
     property bool layersOpen: false
-    /// As high as it may be; what does not fit stands in further columns.
+    /// As high as it may be. If that is too little, what draws stands in one column and the rest in another.
     property real room: 100000
+    readonly property real side: 38
+    readonly property int drawing: 7
+    readonly property int others: 4
+    readonly property bool oneColumn: room - 8 >= (drawing + others) * (side + flow.spacing) + 2 * (Theme.hairline + flow.spacing)
     signal toolRequested(tool: int)
     signal fitRequested()
     signal layersRequested()
@@ -30,7 +34,7 @@ Rectangle {
         onClicked: root.toolRequested(tool)
     }
     component Line: Rectangle {
-        width: 38
+        width: root.side
         height: Theme.hairline
         color: Theme.line
     }
@@ -41,7 +45,7 @@ Rectangle {
 
         x: 4
         y: 4
-        height: Math.max(38, root.room - 8)
+        height: Math.max(root.side, Math.min(root.room - 8, root.oneColumn ? root.room : root.drawing * (root.side + spacing)))
         flow: Flow.TopToBottom
         spacing: 2
 
@@ -92,7 +96,7 @@ Rectangle {
             hint: qsTr("Add a gate (G)")
             enabled: root.hasField
         }
-        Line {}
+        Line { visible: root.oneColumn }
         ToolIconButton {
             objectName: "fitTool"
             iconName: "fit"

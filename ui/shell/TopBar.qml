@@ -16,6 +16,8 @@ Rectangle {
     property bool stepsOffered: true
     property bool stepsOpen: true
     readonly property alias exportButton: exportButton
+    /// Names give way to the buttons up to here.
+    readonly property real narrowestName: 64
 
     objectName: "topBar"
     implicitHeight: 52
@@ -57,8 +59,9 @@ Rectangle {
             onClicked: root.commands.named("farm").trigger()
         }
         BodyText {
-            Layout.maximumWidth: root.width * 0.16
             objectName: "projectName"
+            Layout.fillWidth: true
+            Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.16)
             // The title of the window says it, too.
             visible: root.session.farm.hasField && root.width > 780
             text: root.session.files.name.length > 0 ? root.session.files.name : qsTr("Not saved yet")
@@ -82,6 +85,8 @@ Rectangle {
         }
         Crumb {
             objectName: "fieldCrumb"
+            Layout.fillWidth: true
+            Layout.minimumWidth: root.narrowestName
             Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
             visible: root.session.farm.hasField
             strong: true
@@ -98,6 +103,8 @@ Rectangle {
         }
         Crumb {
             objectName: "planCrumb"
+            Layout.fillWidth: true
+            Layout.minimumWidth: root.narrowestName
             Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
             visible: root.session.farm.hasField
             text: root.session.farm.plans[root.session.farm.currentPlan] ?? ""

@@ -159,6 +159,41 @@ private slots:
         choose(QStringLiteral("preferences.language"), 2);
         QCOMPARE(textOf(width), QStringLiteral("78,74"));
     }
+    /// In a narrow window names give way, and every button stays in it.
+    void theBarFitsTheWindow_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "nl", "fr", "es", "pt_BR", "pt_PT"}) {
+            QTest::newRow(language) << language;
+        }
+    }
+    void theBarFitsTheWindow() {
+        QFETCH(QString, language);
+        begin(Display::Metric);
+        display().setLanguage(language);
+        click(QStringLiteral("empty.sample.0"));
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
+        window_->setMinimumSize({});
+        for (const int width : {1280, 1101, 1001, 1000, 900, 781, 780, 721, 683}) {
+            window_->resize(width, 640);
+            QTRY_COMPARE(window_->width(), width);
+            const auto outside = [&] {
+                QStringList names;
+                for (const QQuickItem* row : item(QStringLiteral("topBar"))->childItems()) {
+                    for (const QQuickItem* part : row->childItems()) {
+                        const double left = part->mapToScene({0.0, 0.0}).x();
+                        if (part->isVisible() && (left < 0.0 || left + part->width() > width)) {
+                            names << part->objectName();
+                        }
+                    }
+                }
+                return names.join(QLatin1Char{' '});
+            };
+            QTRY_VERIFY2(outside().isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(width).arg(outside())));
+            if (width == 1000 || width == 683) {
+                picture(QStringLiteral("bar_%1_%2").arg(language).arg(width));
+            }
+        }
+    }
     void nothingIsCutOff_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<Display::Units>("units");
