@@ -100,7 +100,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
                            const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
                            const AllowedAreas& ground, std::optional<PlanToBeat> toBeat,
                            const JobContext& job) {
-    if (!mayFinish(task) || !leavesTooMuch(driven)) {
+    if (!mayFinish(task) || !leavesTooMuch(driven) || isBeyondMending(driven.findings)) {
         return driven;
     }
     if (toBeat && !mayBeatFinished(*toBeat, task.request.machine, driven)) {

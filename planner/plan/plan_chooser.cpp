@@ -24,8 +24,6 @@ namespace {
 constexpr Angle kSameHeading = degrees(0.01);
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
-// What blocks in more places than this, no other heading mends.
-constexpr std::ptrdiff_t kMostBlocked = 25;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
 constexpr double kNearPattern = 0.04;
 // Of so few swaths all patterns are driven: where the headland takes most of the time, the order that leads
@@ -50,7 +48,7 @@ auto problemsOf(const PlannedStages& plan) {
 std::vector<HeadingCandidate> headingsToTry(const PlannedStages& plan) {
     const SwathSet& swaths = plan.laidOut.laid->swaths;
     std::vector<HeadingCandidate> headings;
-    if (lastingCount(plan.driven->findings) > kMostBlocked) {
+    if (isBeyondMending(plan.driven->findings)) {
         return headings;
     }
     for (const HeadingCandidate& each : swaths.candidates) {

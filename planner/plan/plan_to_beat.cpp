@@ -9,6 +9,7 @@ namespace furrow {
 namespace {
 
 constexpr double kNear = 1.01;
+constexpr std::ptrdiff_t kMostBlocked = 25;
 // Corners that are worked before need far fewer passes for as much land.
 constexpr double kSurely = 0.25;
 
@@ -35,6 +36,10 @@ std::ptrdiff_t lastingCount(std::span<const Finding> findings) {
     return std::ranges::count_if(findings, [](const Finding& finding) {
         return isBlocking(finding) && finding.kind != FindingKind::Missed;
     });
+}
+
+bool isBeyondMending(std::span<const Finding> findings) {
+    return lastingCount(findings) > kMostBlocked;
 }
 
 std::pair<std::ptrdiff_t, std::ptrdiff_t> problems(std::span<const Finding> findings) {

@@ -51,6 +51,9 @@ Error noBetter(const Field& field);
 /// The number of blocking findings that finishing passes cannot mend.
 std::ptrdiff_t lastingCount(std::span<const Finding> findings);
 
+/// What blocks in more than 25 places, neither finishing passes nor another heading make drivable.
+bool isBeyondMending(std::span<const Finding> findings);
+
 /// The number of blocking findings, then of the lasting ones among them. The lower is better: land that stays
 /// unworked is better than a machine outside of the field.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> problems(std::span<const Finding> findings);

@@ -70,6 +70,14 @@ private slots:
         QVERIFY(problems(outside) < problems(twice));
     }
 
+    void tooMuchToMend() {
+        std::vector<Finding> findings(25, blocking(FindingKind::Outside));
+        findings.push_back(blocking(FindingKind::Missed));
+        QVERIFY(!isBeyondMending(findings));
+        findings.push_back(blocking(FindingKind::Obstacle));
+        QVERIFY(isBeyondMending(findings));
+    }
+
     void whatBlocksComesBeforeTime() {
         const PlanToBeat other{.blocking = 1, .time = seconds(1000.0), .finishing = {}, .left = {}};
         QVERIFY(mayBeat(other, agbot(), driven(2000.0, {})));
