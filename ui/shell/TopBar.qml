@@ -61,7 +61,8 @@ Rectangle {
         BodyText {
             objectName: "projectName"
             Layout.fillWidth: true
-            Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.16)
+            Layout.preferredWidth: Math.ceil(implicitWidth)
+            Layout.maximumWidth: Math.min(Math.ceil(implicitWidth), root.width * 0.16)
             // The title of the window says it, too.
             visible: root.session.farm.hasField && root.width > 780
             text: root.session.files.name.length > 0 ? root.session.files.name : qsTr("Not saved yet")
@@ -87,7 +88,8 @@ Rectangle {
             objectName: "fieldCrumb"
             Layout.fillWidth: true
             Layout.minimumWidth: root.narrowestName
-            Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
+            Layout.preferredWidth: Math.ceil(implicitWidth)
+            Layout.maximumWidth: Math.min(Math.ceil(implicitWidth), root.width * 0.2)
             visible: root.session.farm.hasField
             strong: true
             text: root.session.farm.fieldName
@@ -105,7 +107,8 @@ Rectangle {
             objectName: "planCrumb"
             Layout.fillWidth: true
             Layout.minimumWidth: root.narrowestName
-            Layout.maximumWidth: Math.min(implicitWidth, root.width * 0.2)
+            Layout.preferredWidth: Math.ceil(implicitWidth)
+            Layout.maximumWidth: Math.min(Math.ceil(implicitWidth), root.width * 0.2)
             visible: root.session.farm.hasField
             text: root.session.farm.plans[root.session.farm.currentPlan] ?? ""
             choices: root.session.farm.plans
