@@ -45,8 +45,8 @@ Result<SweptArea> measureSweptArea(const AuditInput& input, const AuditedLand& l
                                    const MachineShape& shape, const std::vector<SegmentMotion>& motions,
                                    const JobContext& job);
 
-/// The direction of the longest straight step of the implement, up or right, as a unit vector. Rounded,
-/// so that plans along the same swaths have the same, and as little that the swaths are along it.
+/// The direction of the longest straight step of the implement, up or right, as a unit vector. Rounded
+/// so that plans along the same swaths have the same, but by too little to leave the swaths.
 Point mainDirection(const std::vector<SegmentMotion>& motions);
 
 }  // namespace furrow

@@ -217,8 +217,7 @@ public:
             const Curve between = way(places[i], *fixed, fixedIsNext);
             const Pose& from = fixedIsNext ? places[i].end : *fixed;
             const Pose& to = fixedIsNext ? *fixed : places[i].pose;
-            byTime.emplace_back(
-                roughDuration(between, machine_) + turningOnTheSpot(between, from, to, machine_), i);
+            byTime.emplace_back(roughDuration(between, from, to, machine_), i);
         }
         std::ranges::sort(byTime);
         for (const auto& [time, i] : byTime | std::views::take(kMostChecked)) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace furrow {
@@ -23,8 +22,6 @@ constexpr double kUnnoticedM = 5e-5;
 constexpr double kLeastPassingMps = 0.2;
 // For a derivative, 1/m.
 constexpr double kNextCurvature = 1e-6;
-// A larger difference of heading is a jump: the vehicle turns on the spot.
-constexpr double kHeadingJumpRad = 1e-6;
 // A jump of the curvature that takes the steering less time is drawing.
 constexpr double kSteeredAtOnceS = 1e-3;
 
@@ -173,16 +170,11 @@ void addSteering(std::vector<Run>& runs, const Machine& machine) {
     }
 }
 
-/// The time to turn on the spot from one heading to another.
-double spotTurnS(const Pose& from, const Pose& to, const Machine& machine) {
-    const Angle turn = radians(std::remainder((to.heading - from.heading).si(), 2.0 * std::numbers::pi));
-    return std::abs(turn.si()) > kHeadingJumpRad ? turningOnTheSpot(turn, machine).si() : 0.0;
-}
-
 /// The machine turns on the spot where headings jump.
 void addSpotTurns(std::vector<Run>& runs, const Machine& machine) {
     for (std::size_t r = 1; r < runs.size(); ++r) {
-        runs[r].turnsS = spotTurnS(runs[r - 1].steps.back().to, runs[r].steps.front().from, machine);
+        runs[r].turnsS =
+            turningOnTheSpot(runs[r - 1].steps.back().to, runs[r].steps.front().from, machine).si();
     }
 }
 
@@ -218,10 +210,10 @@ std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, Steer
         const double lengthM = leg.line.length().si();
         double handledS = leg.kind == SegmentKind::Turn ? handlingS : 0.0;
         if (handledS > 0.0 && i > 0) {
-            handledS -= spotTurnS(legs[i - 1].line.end(), leg.line.start, machine);
+            handledS -= turningOnTheSpot(legs[i - 1].line.end(), leg.line.start, machine).si();
         }
         if (handledS > 0.0 && i + 1 < legs.size()) {
-            handledS -= spotTurnS(leg.line.end(), legs[i + 1].line.start, machine);
+            handledS -= turningOnTheSpot(leg.line.end(), legs[i + 1].line.start, machine).si();
         }
         const bool isHandled = handledS > 0.0;
         if (isHandled && lengthM > kShortestStepM) {

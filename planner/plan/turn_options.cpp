@@ -65,8 +65,7 @@ Result<std::vector<TurnOption>> othersThan(const Plan& plan, const DrivenTurn& t
             continue;
         }
         others.push_back({.name = Message{kind->info.name},
-                          .duration = roughDuration(free, request.machine) +
-                                      turningOnTheSpot(free, from, to, request.machine),
+                          .duration = roughDuration(free, from, to, request.machine),
                           .fits = ways->room->raised->byOne(*kind, from, to).has_value()});
     }
     std::ranges::stable_sort(

@@ -110,14 +110,13 @@ double RouteCosts::costOf(Length length, Duration time, double FuelUse::* litres
 
 double RouteCosts::costOf(const Curve& way, const Pose& from, const Pose& to) const {
     const Machine& machine = task_.machine;
-    Duration time = roughDuration(way, machine);
+    Duration time = roughDuration(way, from, to, machine);
     if (way.type == kCombinedTurn && way.length() > longestTurn(machine)) {
         time = time * (machine.turningSpeed() / machine.spec().tractor.transferSpeed);
     }
     const Implement& implement = machine.spec().implement;
     return costOf(way.length(),
-                  std::max(time + steering(way, machine) + turningOnTheSpot(way, from, to, machine),
-                           implement.liftTime + implement.lowerTime));
+                  std::max(time + steering(way, machine), implement.liftTime + implement.lowerTime));
 }
 
 bool RouteCosts::isLockedOut(SwathEnd leaving, SwathEnd entered) const {

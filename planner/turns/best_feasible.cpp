@@ -42,8 +42,7 @@ std::vector<Candidate> candidates(const Pose& leaving, const Pose& arriving, con
         Curve turn = connection(leaving, arriving, machine, method->run);
         // A method that does not suit the poses returns another method's turn.
         if (turn.type == method->info.id || method == &kDubinsMethod) {
-            const Duration time =
-                roughDuration(turn, machine) + turningOnTheSpot(turn, leaving, arriving, machine);
+            const Duration time = roughDuration(turn, leaving, arriving, machine);
             found.push_back({std::move(turn), time});
         }
     };
@@ -62,7 +61,7 @@ Curve runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) 
     Curve quickest = dubinsTurn(from, to, machine.minTurningRadius());
     Duration time = roughDuration(quickest, machine);
     const auto take = [&](Curve other) {
-        const Duration takes = roughDuration(other, machine) + turningOnTheSpot(other, from, to, machine);
+        const Duration takes = roughDuration(other, from, to, machine);
         if (takes < time) {
             time = takes;
             quickest = std::move(other);
@@ -203,7 +202,10 @@ std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, cons
         return turn;
     }
     auto way = searched(rig, leaving, arriving, travel, job, effort);
-    const bool better = turn && (!way || costS(*turn, machine, travel) <= costS(*way, machine, travel));
+    const auto takesS = [&](const Curve& line) {
+        return costS(line, machine, travel) + turningOnTheSpot(line, leaving, arriving, machine).si();
+    };
+    const bool better = turn && (!way || takesS(*turn) <= takesS(*way));
     return better ? turn : way;
 }
 

@@ -6,6 +6,13 @@
 
 namespace furrow {
 
+namespace {
+
+// A smaller difference of headings is rounding.
+constexpr double kNoTurnRad = 1e-6;
+
+}  // namespace
+
 Curve straightTurn(const Pose& from, const Pose& to) {
     const Point way = to.position - from.position;
     const double lengthM = norm(way);
@@ -28,17 +35,17 @@ Duration turningOnTheSpot(Angle turn, const Machine& machine) {
                                                    : 2.0 * std::sqrt(wayM / acceleration));
 }
 
+Duration turningOnTheSpot(const Pose& from, const Pose& to, const Machine& machine) {
+    const Angle turn = wrappedAngle(to.heading - from.heading);
+    return std::abs(turn.si()) > kNoTurnRad ? turningOnTheSpot(turn, machine) : Duration{};
+}
+
 Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, const Machine& machine) {
-    // Drawn curves end along their poses except for rounding.
-    constexpr double kNoTurnRad = 1e-6;
-    Duration sum;
-    for (const Angle turn :
-         {wrappedAngle(way.start.heading - from.heading), wrappedAngle(to.heading - way.end().heading)}) {
-        if (std::abs(turn.si()) > kNoTurnRad) {
-            sum += turningOnTheSpot(turn, machine);
-        }
-    }
-    return sum;
+    return turningOnTheSpot(from, way.start, machine) + turningOnTheSpot(way.end(), to, machine);
+}
+
+Duration roughDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine) {
+    return roughDuration(way, machine) + turningOnTheSpot(way, from, to, machine);
 }
 
 const Method<TurnPlanner> kStraightMethod{

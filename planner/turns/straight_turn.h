@@ -14,8 +14,12 @@ bool canTurnOnTheSpot(const Machine& machine);
 /// The time to turn by an angle, standing: the outer wheel drives round the middle at the turning speed, and
 /// speeds up and brakes as on any way.
 Duration turningOnTheSpot(Angle turn, const Machine& machine);
-/// The same for what a way turns at its two ends. None for ways that begin and end along these poses.
+/// The same from one heading to another; none where they differ by no more than rounding.
+Duration turningOnTheSpot(const Pose& from, const Pose& to, const Machine& machine);
+/// The same for what a way turns at its two ends.
 Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
+/// The time of a way between two poses, with what it turns on the spot.
+Duration roughDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
 
 extern const Method<TurnPlanner> kStraightMethod;
 
