@@ -11,6 +11,7 @@ Rectangle {
     /// As high as it may be. If that is too little, what draws stands in one column and the rest in another.
     property real room: 100000
     readonly property real side: 38
+    // Tools above the first line, and below it.
     readonly property int drawing: 7
     readonly property int others: 4
     readonly property bool oneColumn: room - 8 >= (drawing + others) * (side + flow.spacing) + 2 * (Theme.hairline + flow.spacing)

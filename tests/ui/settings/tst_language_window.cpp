@@ -190,7 +190,11 @@ private slots:
             };
             QTRY_VERIFY2(outside().isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(width).arg(outside())));
             if (width == 1000 || width == 683) {
-                picture(QStringLiteral("bar_%1_%2").arg(language).arg(width));
+                QObject* const colours = engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme");
+                for (const int theme : {2, 0}) {
+                    colours->setProperty("forced", theme);
+                    picture(QStringLiteral("bar_%1_%2_%3").arg(language).arg(width).arg(theme));
+                }
             }
         }
     }
