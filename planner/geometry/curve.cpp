@@ -119,6 +119,9 @@ Pose Curve::end() const {
 }
 
 Pose advanced(const Pose& from, const CurvePiece& piece, Length way) {
+    if (piece.onTheSpot != Angle{}) {
+        return {.position = from.position, .heading = normalisedPoseHeading(from.heading + piece.onTheSpot)};
+    }
     const double signedWay = piece.gear == Gear::Forward ? way.si() : -way.si();
     if (piece.endCurvature != piece.curvature && piece.length.si() > 0.0) {
         const double k = piece.curvature.si();

@@ -11,12 +11,13 @@ namespace furrow {
 enum class Gear { Forward = 1, Reverse = -1 };
 
 /// A stretch in one gear: a line, an arc, or a clothoid. The curvature of a clothoid changes evenly along the
-/// way.
+/// way. Or a turn on the spot, which has no length.
 struct CurvePiece {
     Length length;                       ///< driven, not negative
     Curvature curvature;                 ///< at its beginning; positive to the left along the nose
     Curvature endCurvature = curvature;  ///< at its end; the same for lines and arcs
     Gear gear = Gear::Forward;
+    Angle onTheSpot = {};  ///< turned standing, positive to the left; 0 for stretches with a length
 
     Curvature curvatureAt(Length way) const;
 

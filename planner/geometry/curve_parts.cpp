@@ -63,6 +63,29 @@ Curve extended(const Curve& line, Length before, Length after) {
     return longer;
 }
 
+std::vector<Curve> betweenTurnsOnTheSpot(const Curve& line) {
+    std::vector<Curve> lines;
+    Curve open{.type = line.type, .start = line.start, .pieces = {}};
+    Pose pose = line.start;
+    const auto close = [&] {
+        if (!open.pieces.empty()) {
+            lines.push_back(open);
+        }
+        open.start = pose;
+        open.pieces.clear();
+    };
+    for (const CurvePiece& piece : line.pieces) {
+        pose = advanced(pose, piece, piece.length);
+        if (piece.onTheSpot != Angle{}) {
+            close();
+        } else {
+            open.pieces.push_back(piece);
+        }
+    }
+    close();
+    return lines;
+}
+
 Curvature sharpestBend(const Curve& line) {
     double most = 0.0;
     for (const CurvePiece& piece : line.pieces) {

@@ -2,6 +2,8 @@
 
 #include "planner/geometry/curve.h"
 
+#include <vector>
+
 namespace furrow {
 
 /// The part of the line between `from` and `to`, both within its length. Pieces without length are left out.
@@ -13,6 +15,9 @@ Curve movedLeft(const Curve& line, Length left);
 
 /// The line with straight stretches before and after it.
 Curve extended(const Curve& line, Length before, Length after);
+
+/// The lines between turns on the spot, those without pieces left out.
+std::vector<Curve> betweenTurnsOnTheSpot(const Curve& line);
 
 /// The sharpest bend of the line, not negative.
 Curvature sharpestBend(const Curve& line);

@@ -1,6 +1,7 @@
 #include "planner/path/fitting_ways.h"
 
 #include "planner/turns/best_feasible.h"
+#include "planner/turns/straight_turn.h"
 
 #include <utility>
 
@@ -28,7 +29,8 @@ std::optional<Curve> WaySearches::between(const Pose& leaving, const Pose& arriv
             return known->second;
         }
     }
-    std::optional<Curve> way = fittingConnection(rig_, leaving, arriving, travel_, job, effort);
+    std::optional<Curve> way =
+        fittingConnection(rig_, leaving, arriving, travel_, job, effort, straights(job));
     if (!job.stopRequested()) {
         const std::scoped_lock lock{mutex_};
         if (found_.size() >= kMostKept) {
@@ -42,6 +44,22 @@ std::optional<Curve> WaySearches::between(const Pose& leaving, const Pose& arriv
 std::optional<Curve> WaySearches::byOne(const Method<TurnPlanner>& kind, const Pose& leaving,
                                         const Pose& arriving) const {
     return fittingTurn(rig_, leaving, arriving, travel_, kind);
+}
+
+const StraightWays* WaySearches::straights(const JobContext& job) {
+    if (!canTurnOnTheSpot(rig_.machine())) {
+        return nullptr;
+    }
+    const std::scoped_lock lock{mutex_};
+    if (!straights_) {
+        const auto made = std::make_shared<const StraightWays>(areas_, rig_, job);
+        // Those of a stopped job lack their corners.
+        if (job.stopRequested()) {
+            return nullptr;
+        }
+        straights_ = made;
+    }
+    return straights_.get();
 }
 
 const DrivenParts* WaySearches::parts() {

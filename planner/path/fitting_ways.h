@@ -3,6 +3,7 @@
 #include "planner/path/driven_parts.h"
 #include "planner/settings/method.h"
 #include "planner/turns/manoeuvre_search.h"
+#include "planner/turns/straight_ways.h"
 #include "planner/turns/turn_method.h"
 
 #include <array>
@@ -31,6 +32,9 @@ public:
     const DrivenParts* parts();
 
 private:
+    /// Null for machines that do not turn on the spot.
+    const StraightWays* straights(const JobContext& job);
+
     using Key = std::array<double, 7>;
 
     AllowedAreas areas_;
@@ -39,6 +43,7 @@ private:
     std::once_flag once_;
     std::optional<DrivenParts> parts_;
     std::mutex mutex_;
+    std::shared_ptr<const StraightWays> straights_;
     std::map<Key, std::optional<Curve>> found_;
 };
 

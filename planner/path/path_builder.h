@@ -36,7 +36,8 @@ using WayFinder = std::function<WayBetween(const Leg& leaving, const Leg& arrivi
 /// Turns of one kind in free space.
 WayFinder waysBy(TurnPlanner* turn, const Machine& machine);
 
-/// These legs in their order, joined by ways where a leg does not begin at the end of the one before.
+/// These legs in their order, joined by ways where a leg does not begin at the end of the one before. A way
+/// that turns on the spot in between is several legs.
 /// Cancelled.
 Result<std::vector<Leg>> joinedLegs(std::span<const Leg> legs, const Machine& machine, const WayFinder& way,
                                     const JobContext& job);

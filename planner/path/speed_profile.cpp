@@ -199,28 +199,47 @@ void addRefills(std::vector<Run>& runs, const Machine& machine) {
     }
 }
 
+/// The legs of a turn from `begin` on: several if it turns on the spot in between.
+std::size_t endOfTurn(std::span<const Leg> legs, std::size_t begin) {
+    const auto isOther = [](const Leg& leg) { return leg.kind != SegmentKind::Turn; };
+    return static_cast<std::size_t>(std::ranges::find_if(legs.subspan(begin), isOther) - legs.begin());
+}
+
+/// What lifting and lowering leaves to be done while the turn of these legs is driven, beside the turns on
+/// the spot.
+double handlingWhileDriven(std::span<const Leg> legs, std::size_t begin, std::size_t end,
+                           const Machine& machine) {
+    double handlingS = (machine.spec().implement.liftTime + machine.spec().implement.lowerTime).si();
+    for (std::size_t i = std::max<std::size_t>(begin, 1); handlingS > 0.0 && i <= end && i < legs.size();
+         ++i) {
+        handlingS -= turningOnTheSpot(legs[i - 1].line.end(), legs[i].line.start, machine).si();
+    }
+    return std::max(0.0, handlingS);
+}
+
 /// The implement is lifted and lowered between two stretches of work, also while the machine turns on the
 /// spot. The turn is slow enough for that, or has a pause if it has no length.
 std::vector<Run> runsOf(std::span<const Leg> legs, const Machine& machine, SteeringLimit steering) {
-    const double handlingS = (machine.spec().implement.liftTime + machine.spec().implement.lowerTime).si();
     std::vector<Run> runs;
-    for (std::size_t i = 0; i < legs.size(); ++i) {
-        const Leg& leg = legs[i];
-        double longestMps = std::numeric_limits<double>::infinity();
-        const double lengthM = leg.line.length().si();
-        double handledS = leg.kind == SegmentKind::Turn ? handlingS : 0.0;
-        if (handledS > 0.0 && i > 0) {
-            handledS -= turningOnTheSpot(legs[i - 1].line.end(), leg.line.start, machine).si();
+    for (std::size_t i = 0; i < legs.size();) {
+        if (legs[i].kind != SegmentKind::Turn) {
+            addRuns(legs[i], std::numeric_limits<double>::infinity(), machine, runs);
+            ++i;
+            continue;
         }
-        if (handledS > 0.0 && i + 1 < legs.size()) {
-            handledS -= turningOnTheSpot(leg.line.end(), legs[i + 1].line.start, machine).si();
+        const std::size_t end = endOfTurn(legs, i);
+        const double handledS = handlingWhileDriven(legs, i, end, machine);
+        double lengthM = 0.0;
+        for (const Leg& leg : legs.subspan(i, end - i)) {
+            lengthM += leg.line.length().si();
         }
-        const bool isHandled = handledS > 0.0;
-        if (isHandled && lengthM > kShortestStepM) {
-            longestMps = lengthM / handledS;
+        const bool hasWay = lengthM > kShortestStepM;
+        for (; i < end; ++i) {
+            addRuns(legs[i],
+                    handledS > 0.0 && hasWay ? lengthM / handledS : std::numeric_limits<double>::infinity(),
+                    machine, runs);
         }
-        addRuns(leg, longestMps, machine, runs);
-        if (isHandled && lengthM <= kShortestStepM) {
+        if (handledS > 0.0 && !hasWay) {
             runs.back().pauseS = handledS;
         }
     }

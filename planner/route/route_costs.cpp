@@ -65,7 +65,7 @@ RouteCosts::RouteCosts(const RouteTask& task)
     : task_{task}, objective_{routeObjective(task.settings)}, links_{task.swaths.swaths.size(), functions()} {
     const Tractor& tractor = task.machine.spec().tractor;
     const double fastest =
-        std::max({task.machine.turningSpeed().si(), tractor.reverseSpeed.si(), tractor.transferSpeed.si()});
+        std::max({tractor.turningSpeed.si(), tractor.reverseSpeed.si(), tractor.transferSpeed.si()});
     costPerMetre_ = costOf(metres(1.0), seconds(1.0 / fastest));
     const auto ends = static_cast<SwathEnd>(links_.endCount());
     for (SwathEnd end = 0; end < ends; ++end) {
@@ -111,8 +111,8 @@ double RouteCosts::costOf(Length length, Duration time, double FuelUse::* litres
 double RouteCosts::costOf(const Curve& way, const Pose& from, const Pose& to) const {
     const Machine& machine = task_.machine;
     Duration time = roughDuration(way, from, to, machine);
-    if (way.type == kCombinedTurn && way.length() > longestTurn(machine)) {
-        time = time * (machine.turningSpeed() / machine.spec().tractor.transferSpeed);
+    if (isDrivenAsTransfer(way, machine)) {
+        time = time * (machine.spec().tractor.turningSpeed / machine.spec().tractor.transferSpeed);
     }
     const Implement& implement = machine.spec().implement;
     return costOf(way.length(),

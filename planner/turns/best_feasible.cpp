@@ -21,9 +21,6 @@ namespace {
 
 // Number of pieces of a forward curve.
 constexpr std::size_t kCurvePieces = 3;
-// Between two places at which the room for a turn on the spot is looked at. The ends of the machine bulge out
-// of the chord by its reach * step² / 8, less than a tenth of a millimetre.
-constexpr double kSpotStepRad = 0.01;
 // A smaller increase of cost counts as equal.
 constexpr double kNoDearer = 1.0005;
 
@@ -78,34 +75,18 @@ Curve runBestFeasible(const Pose& from, const Pose& to, const Machine& machine) 
     return quickest;
 }
 
-/// Whether the machine stays inside while it turns on the spot, the shorter way round.
-bool hasRoomToTurn(const Rig& rig, const Pose& from, Angle to) {
-    const double turn = wrappedAngle(to - from.heading).si();
-    double reachM = 0.0;
-    for (const Point& corner : rig.machine().turningFootprint()) {
-        reachM = std::max(reachM, norm(corner));
-    }
-    for (double turned = 0.0; turned < std::abs(turn);) {
-        const Pose at{.position = from.position,
-                      .heading = from.heading + radians(std::copysign(turned, turn))};
-        const double roomM = rig.roomM(Rig::inLine(at));
-        if (roomM < -kContactM) {
-            return false;
-        }
-        turned += std::max(kSpotStepRad, roomM / reachM);
-    }
-    return true;
-}
-
 /// Whether a way fits between two poses, with what it turns on the spot at its ends.
 bool fits(const Curve& way, const Rig& rig, const Pose& leaving, const Pose& arriving) {
+    const auto mayTurn = [&](const Pose& from, Angle to) {
+        return rig.mayTurnOnTheSpot(from, wrappedAngle(to - from.heading));
+    };
     return rig.driven(Rig::inLine(leaving), way).has_value() &&
-           (way.type != kStraightMethod.info.id || (hasRoomToTurn(rig, leaving, way.start.heading) &&
-                                                    hasRoomToTurn(rig, way.end(), arriving.heading)));
+           (way.type != kStraightMethod.info.id ||
+            (mayTurn(leaving, way.start.heading) && mayTurn(way.end(), arriving.heading)));
 }
 
-/// The time, with every metre weighted by the cost of its place.
-double costS(const Curve& turn, const Machine& machine, const TravelCost& travel) {
+/// The mean cost of the places of its metres.
+double weightOf(const Curve& turn, const Machine& machine, const TravelCost& travel) {
     double cost = 0.0;
     Pose pose = turn.start;
     double wayM = 0.0;
@@ -114,12 +95,16 @@ double costS(const Curve& turn, const Machine& machine, const TravelCost& travel
         wayM += piece.length.si();
         pose = advanced(pose, piece, piece.length);
     }
-    return wayM > 0.0 ? roughDuration(turn, machine).si() * cost / wayM : 0.0;
+    return wayM > 0.0 ? cost / wayM : 1.0;
+}
+
+double costS(const Curve& turn, const Machine& machine, const TravelCost& travel) {
+    return weightOf(turn, machine, travel) * roughDuration(turn, machine).si();
 }
 
 /// Whether to search another way.
 bool isDear(const Curve& turn, const Machine& machine, const TravelCost& travel) {
-    return travel && costS(turn, machine, travel) >= kDearWay * roughDuration(turn, machine).si();
+    return travel && weightOf(turn, machine, travel) >= kDearWay;
 }
 
 /// The same way, with the pieces in [from, to) replaced by one forward curve.
@@ -192,7 +177,8 @@ std::optional<Curve> quickestThatFits(const Rig& rig, const Pose& leaving, const
 }  // namespace
 
 std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
-                                       const TravelCost& travel, const JobContext& job, SearchEffort effort) {
+                                       const TravelCost& travel, const JobContext& job, SearchEffort effort,
+                                       const StraightWays* straights) {
     const Machine& machine = rig.machine();
     std::optional<Curve> turn = quickestThatFits(rig, leaving, arriving, rig.steeredMachine());
     if (!turn) {
@@ -201,12 +187,19 @@ std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, cons
     if (turn && !isDear(*turn, machine, travel)) {
         return turn;
     }
-    auto way = searched(rig, leaving, arriving, travel, job, effort);
     const auto takesS = [&](const Curve& line) {
-        return costS(line, machine, travel) + turningOnTheSpot(line, leaving, arriving, machine).si();
+        return weightOf(line, machine, travel) * roughDuration(line, leaving, arriving, machine).si();
     };
-    const bool better = turn && (!way || takesS(*turn) <= takesS(*way));
-    return better ? turn : way;
+    const auto take = [&](std::optional<Curve> other) {
+        if (other && (!turn || takesS(*other) < takesS(*turn))) {
+            turn = std::move(other);
+        }
+    };
+    if (straights != nullptr) {
+        take(straights->between(leaving, arriving, travel, job));
+    }
+    take(searched(rig, leaving, arriving, travel, job, effort));
+    return turn;
 }
 
 std::optional<Curve> fittingTurn(const Rig& rig, const Pose& leaving, const Pose& arriving,

@@ -2,6 +2,7 @@
 
 #include "planner/settings/method.h"
 #include "planner/turns/manoeuvre_search.h"
+#include "planner/turns/straight_ways.h"
 #include "planner/turns/turn_method.h"
 
 #include <optional>
@@ -19,9 +20,11 @@ extern const Method<TurnPlanner> kBestFeasibleMethod;
 Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arriving, const TravelCost& travel,
                          const JobContext& job);
 /// The same. Empty if nothing fits.
+/// @param straights  of this area, for machines that turn on the spot; may be null
 std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                        const TravelCost& travel, const JobContext& job,
-                                       SearchEffort effort = SearchEffort::Thorough);
+                                       SearchEffort effort = SearchEffort::Thorough,
+                                       const StraightWays* straights = nullptr);
 
 /// The turn of one kind, if it stays inside and does not cross dear places that it could go round. Empty if
 /// it does not fit, or if the poses or the machine do not allow this kind.

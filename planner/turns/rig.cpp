@@ -21,6 +21,9 @@ constexpr double kLookInBendM = 0.05;
 constexpr double kLookAtCornersM = 0.01;
 // A trailed implement with a smaller angle to its tractor goes straight on with it.
 constexpr double kInLineRad = 1e-9;
+// Between two places at which the room for a turn on the spot is looked at. The ends of the machine bulge out
+// of the chord by its reach * step² / 8, less than a tenth of a millimetre.
+constexpr double kSpotStepRad = 0.01;
 // Shorter straights are sampled place by place.
 constexpr double kShortM = 0.1;
 
@@ -138,6 +141,13 @@ std::optional<RigState> Rig::driven(const RigState& from, const CurvePiece& piec
 
 std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& piece, Length touching,
                                       FootprintRoom& room) const {
+    if (piece.onTheSpot != Angle{}) {
+        if (!mayTurnOnTheSpot(from.tractor, piece.onTheSpot)) {
+            return std::nullopt;
+        }
+        room = {};
+        return inLine(advanced(from.tractor, piece, piece.length));
+    }
     // No point moves by more than this for each metre of the way.
     const double bent = std::max(std::abs(piece.curvature.si()), std::abs(piece.endCurvature.si()));
     const double swings =
@@ -199,6 +209,20 @@ std::optional<RigState> Rig::driven(const RigState& from, const Curve& turn, Foo
         state = *next;
     }
     return state;
+}
+
+bool Rig::mayTurnOnTheSpot(const Pose& from, Angle turn) const {
+    const double wholeRad = std::abs(turn.si());
+    for (double turnedRad = 0.0; turnedRad < wholeRad;) {
+        const Pose at{.position = from.position,
+                      .heading = from.heading + radians(std::copysign(turnedRad, turn.si()))};
+        const double room = roomM(inLine(at));
+        if (room < -kContactM) {
+            return false;
+        }
+        turnedRad += std::max(kSpotStepRad, room / tractorRadiusM_);
+    }
+    return true;
 }
 
 bool Rig::mayStandAt(Point point, Length clearance) const {

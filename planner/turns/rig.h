@@ -58,6 +58,10 @@ public:
     std::optional<RigState> follow(const RigState& from, const CurvePiece& piece, Length step,
                                    const std::function<bool(const RigState&)>& visit) const;
 
+    /// Whether the machine stays inside while it turns on the spot. Not for a trailed implement, which does
+    /// not turn with its tractor.
+    bool mayTurnOnTheSpot(const Pose& from, Angle turn) const;
+
     bool hasTrailer() const { return trailer_.has_value(); }
 
     /// A place for the tractor's middle where at least its wheels are inside, for every heading.

@@ -1,5 +1,6 @@
 #include "planner/turns/rig_parts.h"
 
+#include "planner/turns/footprint_check.h"
 #include "planner/turns/trailer.h"
 
 namespace furrow {
@@ -23,6 +24,11 @@ std::vector<RigPart> rigParts(const Machine& machine, ImplementAt implement, boo
                          .mayOverhang = overhangs});
     }
     return parts;
+}
+
+TurningReach turningReach(const Machine& machine) {
+    return {.tractor = metres(radiusOf(tractorOutline(machine))),
+            .whole = metres(radiusOf(machine.turningFootprint()))};
 }
 
 }  // namespace furrow

@@ -22,4 +22,12 @@ struct RigPart {
 ///                   are the wheels of a trailed implement: a box as wide as the tractor.
 std::vector<RigPart> rigParts(const Machine& machine, ImplementAt implement, bool overhangs);
 
+/// How far a machine reaches from the place about which it turns on the spot.
+struct TurningReach {
+    Length tractor;
+    Length whole;  ///< with its raised implement
+};
+
+TurningReach turningReach(const Machine& machine);
+
 }  // namespace furrow

@@ -2,6 +2,7 @@
 
 #include "planner/units/angle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace furrow {
@@ -26,13 +27,15 @@ bool canTurnOnTheSpot(const Machine& machine) {
     return machine.spec().tractor.canTurnInPlace && machine.spec().implement.mounting != Mounting::Trailed;
 }
 
+Duration fromStandToStand(Length way, const Machine& machine) {
+    const double mps = machine.spec().tractor.turningSpeed.si();
+    const double acceleration = machine.spec().tractor.maxAcceleration.si();
+    return seconds(way.si() > mps * mps / acceleration ? way.si() / mps + mps / acceleration
+                                                       : 2.0 * std::sqrt(way.si() / acceleration));
+}
+
 Duration turningOnTheSpot(Angle turn, const Machine& machine) {
-    const Tractor& tractor = machine.spec().tractor;
-    const double wayM = 0.5 * tractor.width.si() * std::abs(turn.si());
-    const double mps = machine.turningSpeed().si();
-    const double acceleration = tractor.maxAcceleration.si();
-    return seconds(wayM > mps * mps / acceleration ? wayM / mps + mps / acceleration
-                                                   : 2.0 * std::sqrt(wayM / acceleration));
+    return fromStandToStand(0.5 * std::abs(turn.si()) * machine.spec().tractor.width, machine);
 }
 
 Duration turningOnTheSpot(const Pose& from, const Pose& to, const Machine& machine) {
@@ -45,7 +48,21 @@ Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, co
 }
 
 Duration roughDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine) {
-    return roughDuration(way, machine) + turningOnTheSpot(way, from, to, machine);
+    const Duration first = turningOnTheSpot(from, way.start, machine);
+    const Duration last = turningOnTheSpot(way.end(), to, machine);
+    const bool isStraight = std::ranges::all_of(way.pieces, [](const CurvePiece& piece) {
+        return piece.curvature == Curvature{} && piece.endCurvature == Curvature{} &&
+               piece.gear == Gear::Forward;
+    });
+    if (!isStraight || first == Duration{} || last == Duration{}) {
+        return first + roughDuration(way, machine) + last;
+    }
+    Duration sum = first + last;
+    for (const CurvePiece& piece : way.pieces) {
+        sum += piece.onTheSpot != Angle{} ? turningOnTheSpot(piece.onTheSpot, machine)
+                                          : fromStandToStand(piece.length, machine);
+    }
+    return sum;
 }
 
 const Method<TurnPlanner> kStraightMethod{

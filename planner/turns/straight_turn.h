@@ -11,6 +11,9 @@ Curve straightTurn(const Pose& from, const Pose& to);
 /// A trailed implement does not turn with its tractor.
 bool canTurnOnTheSpot(const Machine& machine);
 
+/// The time for a way from standing to standing.
+Duration fromStandToStand(Length way, const Machine& machine);
+
 /// The time to turn by an angle, standing: the outer wheel drives round the middle at the turning speed, and
 /// speeds up and brakes as on any way.
 Duration turningOnTheSpot(Angle turn, const Machine& machine);
@@ -18,7 +21,8 @@ Duration turningOnTheSpot(Angle turn, const Machine& machine);
 Duration turningOnTheSpot(const Pose& from, const Pose& to, const Machine& machine);
 /// The same for what a way turns at its two ends.
 Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
-/// The time of a way between two poses, with what it turns on the spot.
+/// The time of a way between two poses, with what it turns on the spot. If it is straight from turn to turn,
+/// speeding up and braking count.
 Duration roughDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
 
 extern const Method<TurnPlanner> kStraightMethod;

@@ -29,11 +29,13 @@ inline bool canReverse(const Machine& machine) {
 /// The time for a change of gear: braking from the one speed and accelerating to the other.
 Duration gearChangeDuration(const Machine& machine);
 
-/// A searched way of several moves that is longer is a transfer: 8 radii and 4 widths.
+/// 8 radii and 4 widths.
 Length longestTurn(const Machine& machine);
+/// A longer way of several moves, or straight after a turn on the spot, is a transfer.
+bool isDrivenAsTransfer(const Curve& way, const Machine& machine);
 
 /// The time of a turn at the speeds for turning and reversing. Acceleration and braking count only at changes
-/// of gear.
+/// of gear and where it turns on the spot on its way.
 Duration roughDuration(const Curve& turn, const Machine& machine);
 
 }  // namespace furrow

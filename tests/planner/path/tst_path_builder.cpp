@@ -1,4 +1,5 @@
 #include "planner/path/path_builder.h"
+#include "planner/path/speed_profile.h"
 #include "planner/route/methods.h"
 #include "planner/swaths/scan_line.h"
 #include "planner/turns/dubins.h"
@@ -229,6 +230,46 @@ private slots:
                 COMPARE_WITHIN(segment.samples.back().tS - segment.samples.front().tS, acrossS, 1e-9);
             }
         }
+    }
+
+    // 10 m, a quarter turn on the spot of q = 2 sqrt(pi) s, and 10 m: one turn, a segment for each line.
+    // Lifting and lowering take h = 30 s in all; the turn on the spot is one part of it, and 20 m at v = 20 /
+    // (h - q) the other. Braking to the turn on the spot and getting under way again take v / a more.
+    void aWayThatTurnsOnTheSpotInBetween() {
+        MachineSpec spec = plainRobot().spec();
+        spec.tractor.width = metres(2.0);
+        spec.tractor.turningSpeed = metresPerSecond(1.0);
+        spec.tractor.maxAcceleration = Acceleration::fromSi(0.5);
+        spec.implement.liftTime = seconds(10.0);
+        spec.implement.lowerTime = seconds(20.0);
+        const Machine robot = Machine::create(spec).value();
+        const auto swath = [](Point from, double headingDeg) {
+            return Leg{.kind = SegmentKind::Swath,
+                       .number = 1,
+                       .line = {.type = {},
+                                .start = {.position = from, .heading = degrees(headingDeg)},
+                                .pieces = {{.length = metres(50.0), .curvature = {}}}}};
+        };
+        const auto round = [](const Leg& leaving, const Leg&, const JobContext&) {
+            return WayBetween{.line = {.type = "combined",
+                                       .start = leaving.line.end(),
+                                       .pieces = {{.length = metres(10.0), .curvature = {}},
+                                                  {.length = {}, .curvature = {}, .onTheSpot = degrees(90.0)},
+                                                  {.length = metres(10.0), .curvature = {}}}}};
+        };
+        const std::vector<Leg> swaths{swath({-50.0, 0.0}, 0.0), swath({10.0, 10.0}, 90.0)};
+        const auto legs = joinedLegs(swaths, robot, round, {});
+        VERIFY_RESULT(legs);
+        QCOMPARE(legs->size(), std::size_t{4});
+        QVERIFY((*legs)[1].kind == SegmentKind::Turn && (*legs)[2].kind == SegmentKind::Turn);
+        QVERIFY(!(*legs)[1].implementDown && !(*legs)[2].implementDown);
+        COMPARE_WITHIN((*legs)[2].line.start.heading.si(), 0.5 * kPi, 1e-12);
+        const Path path = withSpeeds(*legs, robot);
+        QCOMPARE(path.turnCount(), 1);
+        const double quarterS = 2.0 * std::sqrt(0.5 * kPi / 0.5);
+        const double mps = 20.0 / (30.0 - quarterS);
+        COMPARE_WITHIN(path.segments[3].samples.front().tS - path.segments[0].samples.back().tS,
+                       30.0 + mps / 0.5, 1e-6);
     }
 
     // The tractor is 2.1 m ahead of the middle of the implement, whichever way it drives.
