@@ -98,19 +98,24 @@ public:
     explicit SegmentSweep(SmallestClearance& smallest) : smallest_{smallest} {}
 
     /// Ends early, with a partial result, if the job is stopped.
-    SegmentClearance run(const SegmentMotion& motion, std::span<const MovedPart> parts,
-                         const JobContext& job) {
-        for (const auto* states : {&motion.turnOnTheSpot, &motion.states}) {
-            for (std::size_t i = 1; i < states->size() && !job.stopRequested(); ++i) {
-                for (const MovedPart& part : parts) {
-                    move(part, placeOf(part, (*states)[i - 1]), placeOf(part, (*states)[i]));
-                }
-            }
-        }
+    /// @param turning  the parts as they are while it turns on the spot at the beginning
+    SegmentClearance run(const SegmentMotion& motion, std::span<const MovedPart> turning,
+                         std::span<const MovedPart> parts, const JobContext& job) {
+        moveAlong(motion.turnOnTheSpot, turning, job);
+        moveAlong(motion.states, parts, job);
         return std::move(found_);
     }
 
 private:
+    void moveAlong(const std::vector<MotionState>& states, std::span<const MovedPart> parts,
+                   const JobContext& job) {
+        for (std::size_t i = 1; i < states.size() && !job.stopRequested(); ++i) {
+            for (const MovedPart& part : parts) {
+                move(part, placeOf(part, states[i - 1]), placeOf(part, states[i]));
+            }
+        }
+    }
+
     /// A move from one place to the next. The part stays in a disc. If the disc is free by more than the
     /// least known clearance of the path, the move changes nothing. Moves outside always count.
     void move(const MovedPart& moved, const Placed& a, const Placed& b) {
@@ -259,8 +264,16 @@ Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const Mu
 /// The parts that are moved along a segment.
 using PartsOf = std::function<std::vector<MovedPart>(std::size_t segment)>;
 
+SegmentClearance clearanceOf(const SegmentMotion& motion, std::size_t segment, std::size_t turnsAs,
+                             const PartsOf& parts, SmallestClearance& smallest, const JobContext& job) {
+    const std::vector<MovedPart> turning =
+        motion.turnOnTheSpot.empty() ? std::vector<MovedPart>{} : parts(turnsAs);
+    return SegmentSweep{smallest}.run(motion, turning, parts(segment), job);
+}
+
 /// Clearance and area outside of these parts.
-Result<ClearanceReport> clearanceOf(const std::vector<SegmentMotion>& motions, const PartsOf& parts,
+Result<ClearanceReport> clearanceOf(std::span<const PathSegment> path,
+                                    const std::vector<SegmentMotion>& motions, const PartsOf& parts,
                                     const MultiPolygon& open, const MultiPolygon* forImplement,
                                     const JobContext& job) {
     ClearanceReport report;
@@ -274,7 +287,10 @@ Result<ClearanceReport> clearanceOf(const std::vector<SegmentMotion>& motions, c
         SmallestClearance smallest{farthest};
         auto segments = parallelMap<SegmentClearance>(
             motions.size(),
-            [&](std::size_t i) { return SegmentSweep{smallest}.run(motions[i], parts(i), look); }, look);
+            [&](std::size_t i) {
+                return clearanceOf(motions[i], i, turnsOnTheSpotAs(path, i), parts, smallest, look);
+            },
+            look);
         if (!segments) {
             return std::unexpected(segments.error());
         }
@@ -294,9 +310,10 @@ Result<ClearanceReport> clearanceOf(const std::vector<SegmentMotion>& motions, c
 }
 
 /// What the implement sweeps outside of the drivable area, whether it may or not.
-Result<void> addOverhang(const std::vector<SegmentMotion>& motions, const PartsOf& implement,
-                         const OpenLand& drivable, const JobContext& job, ClearanceReport& report) {
-    return clearanceOf(motions, implement, drivable.open, nullptr, job)
+Result<void> addOverhang(std::span<const PathSegment> path, const std::vector<SegmentMotion>& motions,
+                         const PartsOf& implement, const OpenLand& drivable, const JobContext& job,
+                         ClearanceReport& report) {
+    return clearanceOf(path, motions, implement, drivable.open, nullptr, job)
         .transform([&](const ClearanceReport& over) {
             report.overhangArea = over.outside;
             for (const SegmentClearance& segment : over.segments) {
@@ -339,11 +356,14 @@ Result<ClearanceReport> measureClearance(const AuditInput& input, const Clearanc
         parts.push_back(implementAt(i, overhung != nullptr ? *overhung : drivable));
         return parts;
     };
-    auto report = clearanceOf(motions, all, drivable.open, overhung != nullptr ? &overhung->open : nullptr,
+    auto report = clearanceOf(input.segments, motions, all, drivable.open,
+                              overhung != nullptr ? &overhung->open : nullptr,
                               overhung != nullptr ? job.part(0.0, 0.6) : job);
     if (report && overhung != nullptr) {
         const auto implement = [&](std::size_t i) { return std::vector{implementAt(i, drivable)}; };
-        if (auto added = addOverhang(motions, implement, drivable, job.part(0.6, 1.0), *report); !added) {
+        if (auto added =
+                addOverhang(input.segments, motions, implement, drivable, job.part(0.6, 1.0), *report);
+            !added) {
             return std::unexpected(added.error());
         }
     }

@@ -2,7 +2,9 @@
 
 #include "planner/audit/audit.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace furrow {
@@ -26,6 +28,12 @@ struct SegmentMotion {
     double largestHitchAngleRad = 0.0;
     Point largestHitchAnglePlace;
 };
+
+/// The segment as which the machine turns on the spot at the beginning of one: the one before if that has the
+/// implement up, since it is lowered at the end of the turn.
+inline std::size_t turnsOnTheSpotAs(std::span<const PathSegment> segments, std::size_t segment) {
+    return segment > 0 && !segments[segment - 1].implementDown ? segment - 1 : segment;
+}
 
 /// Largest distance between a curve and its chords, on any part of the machine, m.
 inline constexpr double kChordErrorM = 0.01;

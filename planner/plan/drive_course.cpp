@@ -67,7 +67,7 @@ Result<DriveCourse> DriveCourse::of(const Plan& plan, const JobContext& job) {
         const std::size_t turns = motion.turnOnTheSpot.size();
         const auto fromLevel = course.stations_.empty() ? first.level : course.stations_.back().level;
         for (std::size_t k = 0; k < turns; ++k) {
-            DriveState state = stateOf(motion.turnOnTheSpot[k], i);
+            DriveState state = stateOf(motion.turnOnTheSpot[k], turnsOnTheSpotAs(plan.path.segments, i));
             state.time =
                 seconds(fromS + (first.tS - fromS) * static_cast<double>(k) / static_cast<double>(turns));
             state.driven = metres(first.sM);

@@ -62,6 +62,32 @@ AuditReport reportOf(const MultiPolygon& area, const Machine& machine,
 class TestAuditAreas : public QObject {
     Q_OBJECT
 private slots:
+    // A quarter turn on the spot 1.5 m beside the edge. The implement of 3 m x 1 m at work reaches hypot(1.5,
+    // 0.5) m = 1.58 m round the middle, raised to 1 m 0.71 m, and the tractor of 2 m x 2 m 1.41 m. It is
+    // lowered at the end of the turn; between two stretches of work it stays down.
+    void turnsOnTheSpotWithTheImplementUp_data() {
+        QTest::addColumn<bool>("workedBefore");
+        QTest::addColumn<double>("clearanceM");
+        QTest::newRow("from a way") << false << 1.5 - std::sqrt(2.0);
+        QTest::newRow("from work") << true << 1.5 - std::hypot(1.5, 0.5);
+    }
+    void turnsOnTheSpotWithTheImplementUp() {
+        QFETCH(bool, workedBefore);
+        QFETCH(double, clearanceM);
+        MachineSpec spec = plainMachine(3.0).spec();
+        spec.tractor.canTurnInPlace = true;
+        spec.implement.raisedWidth = metres(1.0);
+        PathDrawer drawer{{1.5, 10.0}, 0.5 * kPi};
+        drawer.begin(workedBefore ? SegmentKind::HeadlandPass : SegmentKind::Turn, workedBefore)
+            .straight(20.0)
+            .jumpTo({1.5, 30.0}, 0.0)
+            .begin(SegmentKind::Swath, true, 1)
+            .straight(50.0);
+        const AuditReport report =
+            reportOf({rectangle(100.0, 60.0)}, Machine::create(spec).value(), drawer.segments);
+        COMPARE_WITHIN(report.minClearance->si(), clearanceM, 2e-3);
+    }
+
     // A field of 100 x 40 m, lanes of 10 m. Worked by hand.
     void lanes_data() {
         QTest::addColumn<std::vector<Lane>>("lanes");
