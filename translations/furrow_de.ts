@@ -3919,10 +3919,6 @@
         <translation>Spuren, die bei jeder Wendung ausgelassen und auf dem Rückweg gefahren werden.</translation>
     </message>
     <message>
-        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
-        <translation>Spuren reichen bis zur Feldgrenze; für Schläge mit Platz zum Wenden außerhalb.</translation>
-    </message>
-    <message>
         <source>Swaths that are finished together.</source>
         <translation>Spuren, die zusammen fertig werden.</translation>
     </message>
@@ -6998,6 +6994,10 @@
     <message>
         <source>Way to unload</source>
         <translation>Weg zum Entladen</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
+        <translation>Spuren reichen bis zur Feldgrenze; für Schläge mit Platz zum Wenden außerhalb und für Maschinen, die auf der Stelle drehen.</translation>
     </message>
 </context>
 <context>

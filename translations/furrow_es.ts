@@ -3919,10 +3919,6 @@
         <translation>Pasadas que se saltan en cada giro y se hacen a la vuelta.</translation>
     </message>
     <message>
-        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
-        <translation>Las pasadas llegan al límite; para parcelas con sitio para girar fuera.</translation>
-    </message>
-    <message>
         <source>Swaths that are finished together.</source>
         <translation>Pasadas que se terminan juntas.</translation>
     </message>
@@ -6998,6 +6994,10 @@
     <message>
         <source>Way to unload</source>
         <translation>Camino a la descarga</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
+        <translation>Las pasadas llegan al límite; para parcelas con sitio para girar fuera y para máquinas que giran en el sitio.</translation>
     </message>
 </context>
 <context>

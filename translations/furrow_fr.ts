@@ -3919,10 +3919,6 @@
         <translation>Passages sautés à chaque demi-tour et faits au retour.</translation>
     </message>
     <message>
-        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
-        <translation>Les passages vont jusqu&apos;à la limite ; pour les parcelles où l&apos;on peut tourner dehors.</translation>
-    </message>
-    <message>
         <source>Swaths that are finished together.</source>
         <translation>Passages terminés ensemble.</translation>
     </message>
@@ -6998,6 +6994,10 @@
     <message>
         <source>Way to unload</source>
         <translation>Chemin vers la vidange</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
+        <translation>Les passages vont jusqu&apos;à la limite ; pour les parcelles où l&apos;on peut tourner dehors et pour les machines qui tournent sur place.</translation>
     </message>
 </context>
 <context>

@@ -3919,10 +3919,6 @@
         <translation>Werkgangen die bij elke draai worden overgeslagen en op de terugweg gereden.</translation>
     </message>
     <message>
-        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
-        <translation>Werkgangen reiken tot de perceelsgrens; voor percelen met ruimte om erbuiten te keren.</translation>
-    </message>
-    <message>
         <source>Swaths that are finished together.</source>
         <translation>Werkgangen die samen afgemaakt worden.</translation>
     </message>
@@ -6998,6 +6994,10 @@
     <message>
         <source>Way to unload</source>
         <translation>Weg naar het lossen</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
+        <translation>Werkgangen reiken tot de perceelsgrens; voor percelen met ruimte om erbuiten te keren en voor machines die op de plaats draaien.</translation>
     </message>
 </context>
 <context>

@@ -3919,10 +3919,6 @@
         <translation>Passadas puladas em cada manobra e feitas na volta.</translation>
     </message>
     <message>
-        <source>Swaths reach to the boundary; for fields with room to turn outside.</source>
-        <translation>As passadas vão até o limite; para talhões com espaço para manobrar fora.</translation>
-    </message>
-    <message>
         <source>Swaths that are finished together.</source>
         <translation>Passadas concluídas juntas.</translation>
     </message>
@@ -6998,6 +6994,10 @@
     <message>
         <source>Way to unload</source>
         <translation>Caminho para a descarga</translation>
+    </message>
+    <message>
+        <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
+        <translation>As passadas vão até o limite; para talhões com espaço para manobrar fora e para máquinas que giram no lugar.</translation>
     </message>
 </context>
 <context>

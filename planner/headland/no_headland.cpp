@@ -1,5 +1,6 @@
 #include "planner/field/ground_around.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/headland/methods.h"
 
@@ -41,13 +42,18 @@ Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
     return headland;
 }
 
+constexpr const Parameter* kParameters[] = {&kHeadlandFinish};
+
 }  // namespace
 
 const Method<HeadlandGenerator> kNoHeadlandMethod{
-    .info = {.id = "none",
-             .name = "No headland",
-             .description = "Swaths reach to the boundary; for fields with room to turn outside.",
-             .parameters = {}},
+    .info =
+        {.id = "none",
+         .name = "No headland",
+         .description =
+             "Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn "
+             "on the spot.",
+         .parameters = kParameters},
     .run = noHeadland};
 
 }  // namespace furrow

@@ -8,6 +8,7 @@
 #include "planner/path/headland_order.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/stopwatch.h"
+#include "planner/turns/straight_turn.h"
 
 #include <algorithm>
 #include <iterator>
@@ -58,11 +59,16 @@ std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<Hea
     return outside;
 }
 
-/// Beside obstacles that swaths stop short of, too, where there is no headland.
+/// Beside obstacles that swaths stop short of, too, where there is no headland; and beside the boundary if
+/// the machine turns on the spot at their ends.
 bool mayFinish(const DriveTask& task) {
     const Settings& settings = task.request.settings;
-    return settings.flag(kHeadlandFinish) &&
-           (settings.flag(kStayInside) ? !task.headland.drivenPasses.empty() : task.headland.passes == 0);
+    const Headland& headland = task.headland;
+    if (!settings.flag(kStayInside)) {
+        return settings.flag(kHeadlandFinish) && headland.passes == 0;
+    }
+    const bool turnsAtEnds = headland.width <= task.ground->margin && canTurnOnTheSpot(task.request.machine);
+    return settings.flag(kHeadlandFinish) && (turnsAtEnds || !headland.drivenPasses.empty());
 }
 
 /// The place for a pass, between raised ways if there are such.

@@ -14,6 +14,7 @@
 #include "planner/swaths/methods.h"
 #include "planner/swaths/short_swaths.h"
 #include "planner/swaths/tramlines.h"
+#include "planner/turns/straight_turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,9 +149,15 @@ struct GroundForEnds {
     bool drawsIn = false;
 };
 
+/// Whether swaths have to leave room for turns on the spot at their ends.
+bool turnsAtEnds(const LayTask& task) {
+    return task.passes == 0 && task.request.settings.flag(kStayInside) &&
+           canTurnOnTheSpot(task.request.machine);
+}
+
 /// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field,
-/// everywhere but over obstacles. Without any in a field with overhangs, swaths stop where the tractor would
-/// leave the field, so that it needs no more than the boom's room.
+/// everywhere but over obstacles. Without any in a field with overhangs, or with a machine that turns on the
+/// spot, swaths stop where the tractor would leave the field, so that it needs no more than the boom's room.
 Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) {
     const Machine& machine = task.request.machine;
     if (task.passes == 0 && !task.request.settings.flag(kStayInside)) {
@@ -161,9 +168,10 @@ Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) 
     const Length outermost =
         task.ground.margin + (task.passes > 1 ? uncutEdge(machine) + machine.operatingWidth() : Length{});
     return eroded(task.workable, outermost, kArcTolerance, job).transform([&](MultiPolygon&& working) {
-        return GroundForEnds{.working = std::move(working),
-                             .driving = task.ground.drivable,
-                             .drawsIn = task.passes == 0 && task.ground.drivable.hasOverhang()};
+        return GroundForEnds{
+            .working = std::move(working),
+            .driving = task.ground.drivable,
+            .drawsIn = turnsAtEnds(task) || (task.passes == 0 && task.ground.drivable.hasOverhang())};
     });
 }
 
@@ -202,7 +210,9 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
 
 Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     const PlanRequest& request = task.request;
-    SwathSet common = task.found;
+    SwathSet common = turnsAtEnds(task)
+                          ? withoutReachingOver(task.found, task.ground.drivable, request.machine)
+                          : task.found;
     if (task.mainland.empty()) {
         return LaidSwaths{.swaths = std::move(common), .parts = {}, .mainland = {}};
     }
@@ -212,18 +222,22 @@ Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
         return std::unexpected(pieces.error());
     }
     const bool drawsOut = drawsOutEnds(request.settings);
+    const bool turnsOnTheSpot = turnsAtEnds(task);
     const auto ground =
-        drawsOut ? groundForEnds(task, job)
-                 : Result<GroundForEnds>{GroundForEnds{task.mainland, task.ground.drivable, false}};
+        drawsOut || turnsOnTheSpot
+            ? groundForEnds(task, job)
+            : Result<GroundForEnds>{GroundForEnds{task.mainland, task.ground.drivable, false}};
     if (!ground) {
         return std::unexpected(ground.error());
     }
     const EndRoom room{.working = ground->working,
                        .driving = ground->driving,
                        .turning = reachOfLevelTurn(request.machine, turnMethod(request.settings).run),
-                       .drawsIn = ground->drawsIn};
+                       .drawsIn = ground->drawsIn,
+                       .turnsOnTheSpot = turnsOnTheSpot,
+                       .drawsOut = drawsOut || !turnsOnTheSpot};
     const auto withEnds = [&](LaidSwaths set) -> Result<LaidSwaths> {
-        if (drawsOut || hasOwnHeadings(set)) {
+        if (drawsOut || turnsOnTheSpot || hasOwnHeadings(set)) {
             if (auto drawn = drawOut(set, task.mainland, room, request.machine, job); !drawn) {
                 return std::unexpected(drawn.error());
             }

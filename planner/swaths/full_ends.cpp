@@ -4,6 +4,7 @@
 #include "planner/geometry/tolerances.h"
 #include "planner/swaths/clamped_integral.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/rig_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +179,9 @@ struct Machinery {
     double halfTractorM;    // width
     double aheadM;          // distance that the tractor reaches beyond the implement, the larger of both
                             // directions
+    double axleAheadM;      // distance of the reference point from the implement
+    double axleBesideM;
+    TurningReach reach;  // round the reference point
 };
 
 Machinery machineryOf(const Machine& machine) {
@@ -187,7 +191,10 @@ Machinery machineryOf(const Machine& machine) {
     return {.halfWidthM = 0.5 * implement.operatingWidth.si(),
             .halfImplementM = 0.5 * implement.length.si(),
             .halfTractorM = 0.5 * tractor.width.si(),
-            .aheadM = std::max(front - implement.offset, implement.offset + tractor.rearOverhang).si()};
+            .aheadM = std::max(front - implement.offset, implement.offset + tractor.rearOverhang).si(),
+            .axleAheadM = std::abs(implement.offset.si()),
+            .axleBesideM = std::abs(implement.lateralOffset.si()),
+            .reach = turningReach(machine)};
 }
 
 /// Extends ends of swaths that run along one direction.
@@ -204,7 +211,9 @@ public:
           implement_{room.driving.implement(), along_, 2.0 * machinery_.halfWidthM},
           tractor_{room.driving.tractor(), along_, 2.0 * machinery_.halfWidthM},
           turningM_{room.turning.si()},
-          drawsIn_{room.drawsIn} {}
+          drawsIn_{room.drawsIn},
+          turnsOnTheSpot_{room.turnsOnTheSpot},
+          drawsOut_{room.drawsOut} {}
 
     void drawStraightOnes() {
         for (Swath& swath : set_.swaths) {
@@ -231,17 +240,31 @@ private:
     /// The length by which an end has to be shortened. Tractor and implement then stay in the allowed area in
     /// both directions of driving.
     double tooFar(const End& end, double mostM) const {
-        const double backM = std::min(mostM, machinery_.aheadM + machinery_.halfWidthM);
+        const double reachM = machinery_.axleAheadM + machinery_.reach.whole.si();
+        const double backM = std::min(mostM, std::max(machinery_.aheadM + machinery_.halfWidthM, reachM));
         const End before{.x = end.x - end.ahead * backM, .y = end.y, .ahead = end.ahead};
         const double free =
             std::min(freeAhead(implement_, before, machinery_.halfWidthM) - machinery_.halfImplementM,
                      freeAhead(tractor_, before, machinery_.halfTractorM) - machinery_.aheadM);
-        return std::clamp(backM - free, 0.0, mostM);
+        const double turning = turnsOnTheSpot_
+                                   ? std::min(freeToTurn(tractor_, before, machinery_.reach.tractor),
+                                              freeToTurn(implement_, before, machinery_.reach.whole))
+                                   : free;
+        return std::clamp(backM - (turning > 0.0 ? std::min(free, turning) : free), 0.0, mostM);
+    }
+
+    /// How far the machine may go on until it has no room to turn on the spot.
+    double freeToTurn(const TurnedEdges& edges, const End& end, Length reach) const {
+        return freeAhead(edges, end, machinery_.axleBesideM + reach.si()) - machinery_.axleAheadM -
+               reach.si();
     }
 
     double drawnOut(const End& end, double mostM) {
         if (const double back = drawsIn_ ? tooFar(end, mostM) : 0.0; back > 0.0) {
             return end.x - end.ahead * back;
+        }
+        if (!drawsOut_) {
+            return end.x;
         }
         const std::vector<Piece> across = edgeAcross(mainland_, end, machinery_.halfWidthM);
         double wanted = 0.0;
@@ -283,7 +306,41 @@ private:
     TurnedEdges tractor_;
     double turningM_;
     bool drawsIn_;
+    bool turnsOnTheSpot_;
+    bool drawsOut_;
 };
+
+/// Adds the stretches of a line in which edges lie within a band beside it.
+/// @param ahead  how far the machine reaches beyond its place on the line
+void addReached(const TurnedEdges& edges, double y, double halfBandM, double ahead,
+                std::vector<Interval>& reached) {
+    const double low = y - halfBandM + kContactM;
+    const double high = y + halfBandM - kContactM;
+    edges.between(low, high, [&](TurnedEdges::Edge, Point a, Point b) {
+        if (const auto piece = clipped(a, b, low, high)) {
+            reached.push_back({std::min(piece->from.x, piece->to.x) - ahead + kContactM,
+                               std::max(piece->from.x, piece->to.x) + ahead - kContactM});
+        }
+    });
+}
+
+/// What is left of a stretch.
+std::vector<Interval> without(Interval whole, std::vector<Interval> taken) {
+    std::ranges::sort(taken, {}, &Interval::from);
+    std::vector<Interval> left;
+    double from = whole.from;
+    for (const Interval& each : taken) {
+        if (each.from > from) {
+            left.push_back({from, std::min(each.from, whole.to)});
+        }
+        from = std::max(from, each.to);
+        if (from >= whole.to) {
+            return left;
+        }
+    }
+    left.push_back({from, whole.to});
+    return left;
+}
 
 constexpr Choice kEndKinds[] = {
     {"full", "Full width", "Drawn out until the whole width is covered, as far as there is room."},
@@ -311,6 +368,37 @@ void drawOutEnds(SwathSet& set, const MultiPolygon& mainland, const EndRoom& roo
         }
         set.totalLength += swath.length();
     }
+}
+
+SwathSet withoutReachingOver(SwathSet set, const AllowedAreas& driving, const Machine& machine) {
+    const Point along = direction(set.heading.si());
+    const Point left{-along.y, along.x};
+    const Machinery machinery = machineryOf(machine);
+    const TurnedEdges implement{driving.implement(), along, 2.0 * machinery.halfWidthM};
+    const TurnedEdges tractor{driving.tractor(), along, 2.0 * machinery.halfWidthM};
+    std::vector<Swath> kept;
+    for (const Swath& swath : set.swaths) {
+        if (swath.isCurved()) {
+            kept.push_back(swath);
+            continue;
+        }
+        const double y = cross(along, swath.start);
+        std::vector<Interval> reached;
+        addReached(implement, y, machinery.halfWidthM, machinery.halfImplementM, reached);
+        addReached(tractor, y, machinery.halfTractorM, machinery.aheadM, reached);
+        for (const Interval& piece :
+             without({dot(along, swath.start), dot(along, swath.end)}, std::move(reached))) {
+            kept.push_back(swath);
+            kept.back().start = piece.from * along + y * left;
+            kept.back().end = piece.to * along + y * left;
+        }
+    }
+    set.swaths = std::move(kept);
+    set.totalLength = {};
+    for (const Swath& swath : set.swaths) {
+        set.totalLength += swath.length();
+    }
+    return set;
 }
 
 bool drawsOutEnds(const Settings& settings) {

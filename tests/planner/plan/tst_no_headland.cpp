@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <string>
@@ -51,13 +52,16 @@ double nearestM(const Plan& plan, const Ring& obstacle) {
             for (double share = 0.0; share <= 1.0; share += 0.125) {
                 const Point at = from + share * (to - from);
                 double awayM = std::numeric_limits<double>::infinity();
+                bool inside = false;
                 for (std::size_t k = 0; k < obstacle.size(); ++k) {
-                    awayM = std::min(awayM,
-                                     distanceToSegment(at, obstacle[k], obstacle[(k + 1) % obstacle.size()]));
+                    const Point a = obstacle[k];
+                    const Point b = obstacle[(k + 1) % obstacle.size()];
+                    awayM = std::min(awayM, distanceToSegment(at, a, b));
+                    if ((a.y > at.y) != (b.y > at.y) &&
+                        at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)) {
+                        inside = !inside;
+                    }
                 }
-                const Bounds box = bounds({{.outer = obstacle, .holes = {}}});
-                const bool inside =
-                    at.x > box.min.x && at.x < box.max.x && at.y > box.min.y && at.y < box.max.y;
                 nearest = std::min(nearest, inside ? -awayM : awayM);
             }
         }
@@ -90,6 +94,59 @@ private slots:
         VERIFY_RESULT(plan);
         QVERIFY((*plan)->drivable());
         COMPARE_WITHIN(coveredShare(**plan), 1.0, 5e-4);
+    }
+
+    // Inside the field all the time: swaths end where a machine can turn that turns on the spot, its ways
+    // lead straight round obstacles, and what the ends leave is finished. Four blocks at odd angles in 100 x
+    // 80 m, as buildings stand.
+    void insideTheFieldOnTheSpot_data() {
+        QTest::addColumn<double>("implementM");
+        QTest::addColumn<double>("overhangM");
+        QTest::addColumn<QString>("turns");
+        QTest::newRow("a weeder") << 1.5 << 0.0 << "best-feasible";
+        QTest::newRow("a weeder, straight ways") << 1.5 << 0.0 << "straight";
+        QTest::newRow("wider than the robot") << 3.0 << 0.0 << "best-feasible";
+        QTest::newRow("a camera's view over the edge") << 3.0 << 3.0 << "best-feasible";
+    }
+    void insideTheFieldOnTheSpot() {
+        QFETCH(double, implementM);
+        QFETCH(double, overhangM);
+        QFETCH(QString, turns);
+        Polygon field = test::rectangle(100.0, 80.0);
+        for (const auto& [x, y, turned] :
+             {std::array{25.0, 25.0, 20.0}, {70.0, 20.0, -35.0}, {30.0, 60.0, 50.0}, {72.0, 58.0, 10.0}}) {
+            const MultiPolygon block =
+                test::moved({test::centredRectangle(14.0, 9.0)}, degrees(turned), {x, y});
+            field.holes.push_back({block.front().outer.rbegin(), block.front().outer.rend()});
+        }
+        MachineSpec spec = findMachine("field-robot")->spec();
+        spec.tractor.width = metres(0.6);
+        spec.tractor.length = metres(0.8);
+        spec.tractor.rearOverhang = metres(0.4);
+        spec.tractor.minTurningRadius = metres(0.5);
+        spec.implement.operatingWidth = metres(implementM);
+        spec.implement.raisedWidth = metres(0.6);
+        spec.implement.offset = metres(0.0);
+        spec.implement.length = metres(0.1);
+        spec.implement.runIn = metres(0.0);
+        Settings settings;
+        for (const auto& [key, text] : {std::pair<std::string, std::string>{"headland.method", "none"},
+                                        {"path.method", turns.toStdString()},
+                                        {"field.overhang_m", std::to_string(overhangM)}}) {
+            applySetting(settings, key, text).value();
+        }
+        const auto plan = makePlan({.field = std::make_shared<const Field>(
+                                        Field::create(test::fieldSourceFromLocal({field}, kCentre)).value()),
+                                    .machine = Machine::create(spec).value(),
+                                    .settings = settings});
+        VERIFY_RESULT(plan);
+        for (const Finding& finding : (*plan)->findings) {
+            QVERIFY2(finding.severity != Severity::Blocking, std::string{finding.text}.c_str());
+        }
+        QVERIFY2(coveredShare(**plan) > 0.99, qPrintable(QString::number(coveredShare(**plan))));
+        for (const Ring& hole : (*plan)->field().boundary().front().holes) {
+            QVERIFY(nearestM(**plan, hole) > 0.3 - 0.01);
+        }
     }
 
     // A pond of 50 x 50 m in 400 x 250 m.

@@ -44,6 +44,19 @@ MultiPolygon plenty() {
     return {test::rectangle(2000.0, 2000.0, {-1000.0, -1000.0})};
 }
 
+/// A square of 2 m, driven in its middle, that turns on the spot.
+Machine robot(double widthM, double offsetM) {
+    MachineSpec spec = findMachine("field-robot")->spec();
+    spec.tractor.width = metres(2.0);
+    spec.tractor.length = metres(2.0);
+    spec.tractor.rearOverhang = metres(1.0);
+    spec.implement.operatingWidth = metres(widthM);
+    spec.implement.raisedWidth = metres(1.0);
+    spec.implement.offset = metres(offsetM);
+    spec.implement.length = metres(0.2);
+    return Machine::create(spec).value();
+}
+
 /// The rectangle that is worked from one point to another, counter-clockwise.
 Polygon strip(Point from, Point to, Point along, double halfWidthM) {
     const Point left = halfWidthM * Point{-along.y, along.x};
@@ -223,6 +236,60 @@ private slots:
             QVERIFY(full.endOverlap.si() <= addedM2 + 1.0);
         }
         QVERIFY(drawn > 500);
+    }
+
+    // A square machine of 2 m reaches sqrt(2) m round its middle. Its implement is 3 m wide and raised to 1
+    // m. 10 m from the side it stops where it can turn at the end. 1.2 m from the side it can turn nowhere,
+    // and stops where its nose touches, 1 m before the end. An implement 0.5 m behind the middle stops 0.5 m
+    // sooner.
+    void roomToTurnOnTheSpot_data() {
+        QTest::addColumn<double>("y");
+        QTest::addColumn<double>("offsetM");
+        QTest::addColumn<double>("endX");
+        QTest::newRow("room to turn") << 10.0 << 0.0 << 100.0 - std::sqrt(2.0);
+        QTest::newRow("too near the side") << 1.2 << 0.0 << 99.0;
+        QTest::newRow("behind the axle") << 10.0 << -0.5 << 99.5 - std::sqrt(2.0);
+    }
+    void roomToTurnOnTheSpot() {
+        QFETCH(double, y);
+        QFETCH(double, offsetM);
+        QFETCH(double, endX);
+        const MultiPolygon field{test::rectangle(100.0, 60.0)};
+        SwathSet set;
+        set.swaths = {{.start = {0.0, y}, .end = {100.0, y}, .number = 1, .track = 0, .width = metres(2.0)}};
+        const EndRoom room{
+            .working = field, .driving = field, .turning = {}, .drawsIn = true, .turnsOnTheSpot = true};
+        drawOutEnds(set, field, room, robot(2.0, offsetM));
+        COMPARE_WITHIN(set.swaths.front().end.x, endX, 1e-9);
+        COMPARE_WITHIN(set.swaths.front().start.x, 100.0 - endX, 1e-9);
+    }
+
+    // A hole from (40, 31) to (60, 40) beside a swath at y = 30: 3 m of implement reach over it, 1.8 m do
+    // not. The implement is 0.2 m long.
+    void stretchesThatReachOverAHole_data() {
+        QTest::addColumn<double>("widthM");
+        QTest::addColumn<int>("pieces");
+        QTest::newRow("reaches over it") << 3.0 << 2;
+        QTest::newRow("passes beside it") << 1.8 << 1;
+    }
+    void stretchesThatReachOverAHole() {
+        QFETCH(double, widthM);
+        QFETCH(int, pieces);
+        MultiPolygon field{test::rectangle(100.0, 60.0)};
+        field.front().holes.push_back({{40, 31}, {40, 40}, {60, 40}, {60, 31}});
+        SwathSet set;
+        set.swaths = {
+            {.start = {0.0, 30.0}, .end = {100.0, 30.0}, .number = 1, .track = 0, .width = metres(widthM)}};
+        const SwathSet inside = withoutReachingOver(set, field, robot(widthM, 0.0));
+        // Both ends touch the edge, where the implement would reach over by half its length.
+        QCOMPARE(static_cast<int>(inside.swaths.size()), pieces);
+        COMPARE_WITHIN(inside.swaths.front().start.x, 1.0, 2e-3);
+        COMPARE_WITHIN(inside.swaths.back().end.x, 99.0, 2e-3);
+        if (pieces == 2) {
+            COMPARE_WITHIN(inside.swaths.front().end.x, 39.9, 2e-3);
+            COMPARE_WITHIN(inside.swaths.back().start.x, 60.1, 2e-3);
+        }
+        COMPARE_WITHIN(inside.totalLength.si(), pieces == 2 ? 98.0 - 20.2 : 98.0, 1e-2);
     }
 
     void noSwaths() {
