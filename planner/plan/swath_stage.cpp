@@ -10,6 +10,7 @@
 #include "planner/plan/method_registry.h"
 #include "planner/plan/own_headings.h"
 #include "planner/swaths/full_ends.h"
+#include "planner/swaths/heading_search.h"
 #include "planner/swaths/mainland_edges.h"
 #include "planner/swaths/methods.h"
 #include "planner/swaths/short_swaths.h"
@@ -155,6 +156,16 @@ bool turnsAtEnds(const LayTask& task) {
            canTurnOnTheSpot(task.request.machine);
 }
 
+/// The swaths of the chosen method. With turns on the spot at their ends, without what the implement would
+/// reach over beside them, unless nothing is left then.
+SwathSet commonSwaths(const LayTask& task) {
+    if (!turnsAtEnds(task)) {
+        return task.found;
+    }
+    SwathSet inside = withoutReachingOver(task.found, task.ground.drivable, task.request.machine);
+    return inside.swaths.empty() || inside.swaths.size() > kMostSwaths ? task.found : inside;
+}
+
 /// Inside the outermost pass where there are more. Without any, and with a machine that may leave the field,
 /// everywhere but over obstacles. Without any in a field with overhangs, or with a machine that turns on the
 /// spot, swaths stop where the tractor would leave the field, so that it needs no more than the boom's room.
@@ -210,9 +221,7 @@ Result<std::vector<Pose>> swathEnds(const PlanRequest& request, const MultiPolyg
 
 Result<LaidSwaths> layStage(const LayTask& task, const JobContext& job) {
     const PlanRequest& request = task.request;
-    SwathSet common = turnsAtEnds(task)
-                          ? withoutReachingOver(task.found, task.ground.drivable, request.machine)
-                          : task.found;
+    SwathSet common = commonSwaths(task);
     if (task.mainland.empty()) {
         return LaidSwaths{.swaths = std::move(common), .parts = {}, .mainland = {}};
     }

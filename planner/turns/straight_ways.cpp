@@ -18,8 +18,11 @@ namespace furrow {
 
 namespace {
 
-// Of an area with more corners only the more important ones are looked at.
-constexpr std::size_t kMostCorners = 300;
+// Of an area with more corners only the more important ones are looked at, and of one with far more none:
+// each search looks at each.
+constexpr std::size_t kManyCorners = 300;
+constexpr std::size_t kMostCorners = 2000;
+constexpr int kMostRounds = 3;
 // The arc round a corner is drawn to this share of the machine's reach.
 constexpr double kArcShare = 0.1;
 constexpr double kCoarser = 2.0;
@@ -78,9 +81,13 @@ StraightWays::StraightWays(const AllowedAreas& areas, const Rig& rig, const JobC
     if (const auto area = turningArea(areas, rig.machine(), job)) {
         Length tolerance = kArcShare * turningReach(rig.machine()).whole;
         corners_ = cornersOf(*area, tolerance);
-        while (corners_.size() > kMostCorners) {
+        // Every hole keeps some corners.
+        for (int round = 0; corners_.size() > kManyCorners && round < kMostRounds; ++round) {
             tolerance = kCoarser * tolerance;
             corners_ = cornersOf(*area, tolerance);
+        }
+        if (corners_.size() > kMostCorners) {
+            corners_.clear();
         }
     }
     fits_ = std::vector<std::atomic<Fit>>(corners_.size() * corners_.size());

@@ -171,6 +171,33 @@ private slots:
         QVERIFY(test::headingGap(way.end(), test::pose(0, 0, 90)) < 1e-12);
     }
 
+    // 400 poles of 1 m, and 900: each keeps its corners however coarse they are drawn.
+    void amongManyPoles_data() {
+        QTest::addColumn<int>("across");
+        QTest::addColumn<bool>("hasCorners");
+        QTest::newRow("400 poles") << 20 << true;
+        QTest::newRow("too many to look at") << 30 << false;
+    }
+    void amongManyPoles() {
+        QFETCH(int, across);
+        QFETCH(bool, hasCorners);
+        const Machine machine = robot(0.5);
+        const double sideM = 5.0 * across;
+        MultiPolygon inside{test::rectangle(sideM, sideM)};
+        for (int x = 0; x < across; ++x) {
+            for (int y = 0; y < across; ++y) {
+                const Polygon pole = test::rectangle(1.0, 1.0, {2.0 + 5.0 * x, 2.0 + 5.0 * y});
+                inside.front().holes.emplace_back(pole.outer.rbegin(), pole.outer.rend());
+            }
+        }
+        const Rig rig{inside, machine};
+        const StraightWays ways{inside, rig, {}};
+        QCOMPARE(!ways.corners().empty(), hasCorners);
+        const auto way = ways.between(test::pose(1, 2.5, 0), test::pose(19, 2.5, 0), {}, {});
+        QCOMPARE(way.has_value(), hasCorners);
+        QVERIFY(!way || (way->length().si() > 18.0 && way->length().si() < 22.0));
+    }
+
     void stopsWhenAsked() {
         const Machine machine = robot(0.1);
         const MultiPolygon inside = withBlock();
