@@ -37,6 +37,11 @@ Turned turnedIn(std::span<const PathSegment> way) {
     return turned;
 }
 
+/// The degrees turned on the spot between two samples at one place.
+double turnedOnTheSpot(const PathSample& before, const PathSample& after) {
+    return std::abs(inDegrees(headingDifference(radians(before.headingRad), radians(after.headingRad))));
+}
+
 /// "101": forwards, backwards, forwards; gears that follow on each other once.
 std::vector<Gear> gearsOf(std::span<const PathSegment> way) {
     std::vector<Gear> gears;
@@ -97,11 +102,23 @@ std::vector<DrivenTurn> drivenTurns(const Path& path) {
             continue;
         }
         const auto way = segments.subspan(first, end - first);
-        turns.push_back({.firstSegment = first,
-                         .segmentCount = way.size(),
-                         .shape = turnShape(way),
-                         .duration = seconds(way.back().samples.back().tS - way.front().samples.front().tS),
-                         .length = metres(way.back().samples.back().sM - way.front().samples.front().sM)});
+        // With its neighbours' ends, from which and into which the machine may turn on the spot.
+        const auto all = segments.subspan(first > 0 ? first - 1 : first,
+                                          way.size() + (first > 0 ? 1 : 0) + (end < segments.size() ? 1 : 0));
+        double mostDeg = 0.0;
+        for (std::size_t i = 1; i < all.size(); ++i) {
+            mostDeg = std::max(mostDeg, turnedOnTheSpot(all[i - 1].samples.back(), all[i].samples.front()));
+        }
+        const PathSample& begin = first > 0 ? all.front().samples.back() : way.front().samples.front();
+        const PathSample& last =
+            end < segments.size() ? all.back().samples.front() : way.back().samples.back();
+        const TurnShape shape = turnShape(way);
+        turns.push_back(
+            {.firstSegment = first,
+             .segmentCount = way.size(),
+             .shape = shape == TurnShape::Straight && mostDeg > kStraightDeg ? TurnShape::OnTheSpot : shape,
+             .duration = seconds(last.tS - begin.tS),
+             .length = metres(way.back().samples.back().sM - way.front().samples.front().sM)});
         first = end;
     }
     return turns;

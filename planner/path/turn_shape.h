@@ -10,7 +10,7 @@ namespace furrow {
 
 /// A turn as a driver would call it, by its driven line.
 enum class TurnShape {
-    OnTheSpot,
+    OnTheSpot,  ///< also with a straight way between turns on the spot
     Straight,   ///< hardly turns: from one swath on into the next
     Corner,     ///< one bend of up to 135 degrees
     U,          ///< one bend of about 180 degrees
@@ -31,7 +31,7 @@ struct DrivenTurn {
     std::size_t firstSegment = 0;
     std::size_t segmentCount = 0;
     TurnShape shape = TurnShape::U;
-    Duration duration;
+    Duration duration;  ///< with what it turns on the spot and steers standing at its ends
     Length length;
 };
 

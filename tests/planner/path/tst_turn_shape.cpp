@@ -43,6 +43,7 @@ private slots:
     void namesForwardTurns();
     void namesReversing();
     void standsWhileItTurns();
+    void turnsOnTheSpotAtItsEnds();
     void joinsSegmentsOfOneTurn();
 };
 
@@ -83,6 +84,20 @@ void TestTurnShape::standsWhileItTurns() {
                     {.tS = 5.0, .headingRad = 0.5 * std::numbers::pi},
                     {.tS = 10.0, .headingRad = std::numbers::pi}};
     QCOMPARE(turnShape(std::vector{turn}), TurnShape::OnTheSpot);
+}
+
+// A quarter turn at both ends of 10 m straight, 2 s each: a turn on the spot of 14 s.
+void TestTurnShape::turnsOnTheSpotAtItsEnds() {
+    PathSegment before = segmentOf({0.0}, Gear::Forward, 0.0, 0.0);
+    before.kind = SegmentKind::Swath;
+    const PathSegment across = segmentOf({0.0}, Gear::Forward, 90.0, 12.0);
+    PathSegment next = segmentOf({0.0}, Gear::Forward, 180.0, 24.0);
+    next.kind = SegmentKind::Swath;
+    const std::vector<DrivenTurn> turns = drivenTurns(Path{{before, across, next}});
+    QCOMPARE(turns.size(), 1U);
+    QCOMPARE(turns[0].shape, TurnShape::OnTheSpot);
+    QVERIFY(std::abs(turns[0].duration.si() - 14.0) < 1e-9);
+    QVERIFY(std::abs(turns[0].length.si() - 10.0) < 1e-9);
 }
 
 void TestTurnShape::joinsSegmentsOfOneTurn() {
