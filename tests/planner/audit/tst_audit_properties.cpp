@@ -61,8 +61,10 @@ private slots:
             const double workable = area(plan.field().workable()).si();
             VERIFY_TOLD(std::abs(report.covered->si() + report.missed->si() - workable) <= 1e-6 * workable,
                         where);
-            VERIFY_TOLD(std::abs(area(report.missedAreas).si() - report.missed->si()) <= 1e-6 * workable,
-                        where);
+            // Outlines of less than 10 cm² are left out: of a small field that is more than a millionth.
+            VERIFY_TOLD(
+                std::abs(area(report.missedAreas).si() - report.missed->si()) <= 1e-6 * workable + 5e-3,
+                where);
             VERIFY_TOLD(report.overlap->si() <= report.covered->si() + 1e-6 * workable, where);
             VERIFY_TOLD(report.overlapHeadland->si() <= report.overlap->si() + 1e-6 * workable, where);
             VERIFY_TOLD(*report.coveredOfReachable <= 1.0 && *report.coveredShare <= 1.0, where);
