@@ -20,8 +20,7 @@ namespace furrow {
 class StraightWays {
 public:
     /// @param rig  of this area; outlives this
-    /// Without corners if the job is stopped or the machine does not turn on the spot: then only straights
-    /// are found.
+    /// Without corners if the job is stopped. No ways for a machine that does not turn on the spot.
     StraightWays(const AllowedAreas& areas, const Rig& rig, const JobContext& job);
 
     /// The quickest of these ways, by A*. It begins with the heading of its first straight; what it turns at

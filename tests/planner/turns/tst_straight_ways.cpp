@@ -171,6 +171,31 @@ private slots:
         QVERIFY(test::headingGap(way.end(), test::pose(0, 0, 90)) < 1e-12);
     }
 
+    // Half a circle of 1 m is driven at sqrt(2 m/s² * 1 m), the straight before it at the turning speed of 2
+    // m/s.
+    void straightsAtTheirOwnSpeed() {
+        MachineSpec spec = specOf(1.0);
+        spec.tractor.minTurningRadius = metres(1.0);
+        spec.tractor.maxLateralAcceleration = Acceleration::fromSi(2.0);
+        const Curvature bend = Curvature::fromSi(1.0);
+        const Curve way{.type = "dubins",
+                        .start = test::pose(0, 0, 0),
+                        .pieces = {{.length = metres(10.0), .curvature = {}},
+                                   {.length = metres(M_PI), .curvature = bend, .endCurvature = bend}}};
+        COMPARE_WITHIN(roughDuration(way, Machine::create(spec).value()).si(), 5.0 + M_PI / std::sqrt(2.0),
+                       1e-9);
+    }
+
+    // 8 radii of 2 m and 4 widths of 1 m are 20 m.
+    void longStraightsAreTransfers() {
+        const Machine machine = robot(1.0);
+        const auto isTransfer = [&](double lengthM) {
+            return isDrivenAsTransfer(straightTurn(test::pose(0, 0, 0), test::pose(0, lengthM, 0)), machine);
+        };
+        QVERIFY(!isTransfer(19.9));
+        QVERIFY(isTransfer(20.1));
+    }
+
     // 400 poles of 1 m, and 900: each keeps its corners however coarse they are drawn.
     void amongManyPoles_data() {
         QTest::addColumn<int>("across");
