@@ -6999,6 +6999,10 @@
         <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
         <translation>Spuren reichen bis zur Feldgrenze; für Schläge mit Platz zum Wenden außerhalb und für Maschinen, die auf der Stelle drehen.</translation>
     </message>
+    <message>
+        <source>There is no headland, as chosen. The machine turns on the spot inside the field.</source>
+        <translation>Ohne Vorgewende, wie gewählt. Die Maschine dreht auf der Stelle, innerhalb des Feldes.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -6999,6 +6999,10 @@
         <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
         <translation>Las pasadas llegan al límite; para parcelas con sitio para girar fuera y para máquinas que giran en el sitio.</translation>
     </message>
+    <message>
+        <source>There is no headland, as chosen. The machine turns on the spot inside the field.</source>
+        <translation>No hay cabecera, como se eligió. La máquina gira en el sitio, dentro de la parcela.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

@@ -6999,6 +6999,10 @@
         <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
         <translation>Les passages vont jusqu&apos;à la limite ; pour les parcelles où l&apos;on peut tourner dehors et pour les machines qui tournent sur place.</translation>
     </message>
+    <message>
+        <source>There is no headland, as chosen. The machine turns on the spot inside the field.</source>
+        <translation>Pas de fourrière, comme choisi. La machine tourne sur place, à l’intérieur de la parcelle.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

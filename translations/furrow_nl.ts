@@ -6999,6 +6999,10 @@
         <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
         <translation>Werkgangen reiken tot de perceelsgrens; voor percelen met ruimte om erbuiten te keren en voor machines die op de plaats draaien.</translation>
     </message>
+    <message>
+        <source>There is no headland, as chosen. The machine turns on the spot inside the field.</source>
+        <translation>Geen kopakker, zoals gekozen. De machine draait op de plaats, binnen het perceel.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

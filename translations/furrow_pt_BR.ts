@@ -6999,6 +6999,10 @@
         <source>Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn on the spot.</source>
         <translation>As passadas vão até o limite; para talhões com espaço para manobrar fora e para máquinas que giram no lugar.</translation>
     </message>
+    <message>
+        <source>There is no headland, as chosen. The machine turns on the spot inside the field.</source>
+        <translation>Sem cabeceira, como escolhido. A máquina gira no lugar, dentro do talhão.</translation>
+    </message>
 </context>
 <context>
     <name>PreferencesDialog</name>

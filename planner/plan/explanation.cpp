@@ -9,6 +9,7 @@
 #include "planner/plan/order_stage.h"
 #include "planner/route/route_costs.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/straight_turn.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -62,6 +63,9 @@ Length roomForTurnsOf(const Plan& plan) {
 }
 
 Message whyNoHeadland(const Plan& plan) {
+    if (plan.request.settings.flag(kStayInside) && canTurnOnTheSpot(plan.request.machine)) {
+        return message("There is no headland, as chosen. The machine turns on the spot inside the field.");
+    }
     return message("There is no headland, as chosen. Turns reach {:.1f} m beyond the ends of swaths.",
                    reachOfLevelTurn(plan.request.machine, turnMethod(plan.request.settings).run).si());
 }

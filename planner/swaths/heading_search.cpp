@@ -4,6 +4,8 @@
 #include "planner/jobs/parallel.h"
 #include "planner/swaths/left_on_purpose.h"
 #include "planner/swaths/methods.h"
+#include "planner/turns/dubins.h"
+#include "planner/turns/straight_turn.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -35,6 +37,33 @@ bool hasRoomBeside(const SwathTask& task) {
         hasRoom = hasRoom && edges.insideM(from).value_or(half.si()) >= half.si() - kRoomSlackM;
     });
     return hasRoom;
+}
+
+/// A machine that turns on the spot brakes at the end of a swath, turns twice and speeds up, unless there is
+/// room for a curve and that is quicker. Of other machines the curve is the whole: what they brake differs
+/// too little between headings.
+DrivingModel drivingModel(const SwathTask& task, Length spacing) {
+    const Machine& machine = task.machine;
+    const Tractor& tractor = machine.spec().tractor;
+    const DrivingModel withCurves{.working = tractor.workingSpeed,
+                                  .turning = machine.turningSpeed(),
+                                  .radius = machine.minTurningRadius(),
+                                  .lead = -machine.spec().implement.offset};
+    if (!canTurnOnTheSpot(machine)) {
+        return withCurves;
+    }
+    const Pose from;
+    const Pose to{.position = {0.0, spacing.si()}, .heading = degrees(180.0)};
+    const Duration braking = seconds(tractor.workingSpeed.si() / tractor.maxAcceleration.si());
+    const Duration onTheSpot = roughDuration(straightTurn(from, to), from, to, machine) + braking;
+    if (hasRoomBeside(task) && roughDuration(dubinsTurn(from, to, withCurves.radius), machine) < onTheSpot) {
+        return withCurves;
+    }
+    return {.working = withCurves.working,
+            .turning = tractor.turningSpeed,
+            .radius = {},
+            .lead = withCurves.lead,
+            .change = onTheSpot - seconds(spacing.si() / tractor.turningSpeed.si())};
 }
 
 }  // namespace
@@ -78,16 +107,11 @@ Error noSwathFits() {
 }
 
 Result<ScanLine> scanLineFor(const SwathTask& task, std::optional<Point> anchor) {
-    const Machine& machine = task.machine;
     const auto spacing = spacingFor(task, anchor);
     if (!spacing) {
         return std::unexpected(spacing.error());
     }
-    ScanLine scanLine{task.mainland, *spacing,
-                      DrivingModel{.working = machine.spec().tractor.workingSpeed,
-                                   .turning = machine.turningSpeed(),
-                                   .radius = machine.minTurningRadius(),
-                                   .lead = -machine.spec().implement.offset}};
+    ScanLine scanLine{task.mainland, *spacing, drivingModel(task, spacing->width - spacing->overlap)};
     if (const auto checked = checkTrackCount(*spacing, scanLine.diameter()); !checked) {
         return std::unexpected(checked.error());
     }

@@ -16,13 +16,17 @@ constexpr double kShortestSwathM = 1e-3;
 // With fewer vertices all of them are rotated as quickly as they are searched.
 constexpr std::size_t kManyVertices = 400;
 
+Length curveLength(const Pose& from, const Pose& to, Length radius) {
+    return radius > Length{} ? dubinsLength(from, to, radius) : metres(norm(to.position - from.position));
+}
+
 /// A lower bound of the turn between opposite tracks, over all shifts of their ends along the track. A shift
 /// can be driven straight, so the length of the curve changes by no more than the shift. The minimum over a
 /// grid therefore gives a bound.
 Length shortestTurnBetween(Length spacing, Length radius) {
     const Pose from{.position = {}, .heading = degrees(0.0)};
     const auto lengthAt = [&](double shiftM) {
-        return dubinsLength(from, {.position = {shiftM, spacing.si()}, .heading = degrees(180.0)}, radius)
+        return curveLength(from, {.position = {shiftM, spacing.si()}, .heading = degrees(180.0)}, radius)
             .si();
     };
     double shortest = lengthAt(0.0);
@@ -114,11 +118,13 @@ template <class TurnLength>
 Duration ScanLine::drivingTime(const Walk& walk, const TurnLength& turnLength) const {
     double swathsM = 0.0;
     double turnsM = 0.0;
+    int changes = 0;
     std::optional<Pose> from;
     const auto drive = [&](double startX, double endX, double y, bool back) {
         const double lead = back ? -driving_->lead.si() : driving_->lead.si();
         const Pose to{.position = {(back ? endX : startX) + lead, y}, .heading = degrees(back ? 180.0 : 0.0)};
         if (from) {
+            ++changes;
             // Pieces of one track lie straight ahead of each other.
             turnsM +=
                 from->position.y == y ? std::abs(to.position.x - from->position.x) : turnLength(*from, to);
@@ -137,7 +143,8 @@ Duration ScanLine::drivingTime(const Walk& walk, const TurnLength& turnLength) c
             }
         }
     }
-    return seconds(swathsM / driving_->working.si() + turnsM / driving_->turning.si());
+    return seconds(swathsM / driving_->working.si() + turnsM / driving_->turning.si()) +
+           changes * driving_->change;
 }
 
 HeadingFigures ScanLine::measureLines(const Walk& walk) const {
@@ -188,7 +195,7 @@ HeadingFigures ScanLine::measure(SwathObjective objective, Walk& walk) const {
     figures.missed = metres((1.0 - figures.coverage) * areaM2_ / spacing_.width.si());
     if (objective == SwathObjective::Time && driving_) {
         const auto curve = [this](const Pose& from, const Pose& to) {
-            return dubinsLength(from, to, driving_->radius).si();
+            return curveLength(from, to, driving_->radius).si();
         };
         figures.time = drivingTime(walk, curve) + missedTime(figures);
     }

@@ -42,8 +42,9 @@ struct SwathSpacing {
 struct DrivingModel {
     Speed working;
     Speed turning;
-    Length radius;
-    Length lead;  ///< distance of the vehicle's reference point ahead of the implement
+    Length radius;    ///< of the shortest curve between two swaths; 0: straight, turning on the spot
+    Length lead;      ///< distance of the vehicle's reference point ahead of the implement
+    Duration change;  ///< for each change of swath beside its curve: stopping, turning on the spot
 };
 
 /// The swaths of one mainland in any heading. A scan line walks the edges: the vertices are rotated once, and

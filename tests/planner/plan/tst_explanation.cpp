@@ -27,9 +27,10 @@ using Given = std::vector<std::pair<std::string, std::string>>;
 constexpr double kLongM = 204.0;
 constexpr double kShortM = 102.0;
 
-Result<std::shared_ptr<const Plan>> planOf(const FieldSource& source, const Given& given) {
+Result<std::shared_ptr<const Plan>> planOf(const FieldSource& source, const Given& given,
+                                           const std::string& machine = "cultivator") {
     PlanRequest request{.field = std::make_shared<const Field>(Field::create(source).value()),
-                        .machine = findMachine("cultivator").value(),
+                        .machine = findMachine(machine).value(),
                         .settings = {}};
     for (const auto& [key, value] : given) {
         applySetting(request.settings, key, value).value();
@@ -198,6 +199,10 @@ void TestExplanation::saysWhatATurnNeeds() {
     QVERIFY2(narrow.starts_with("1 pass of 6.0 m: a turn to the next swath would need "), narrow.c_str());
     QCOMPARE(textOf(told(*bareRectangle({})), "headland").substr(0, 39),
              std::string{"There is no headland, as chosen. Turns "});
+    const auto robot = planOf(source, {{"headland.method", "none"}}, "field-robot");
+    VERIFY_RESULT(robot);
+    QCOMPARE(textOf(told(**robot), "headland"),
+             std::string{"There is no headland, as chosen. The machine turns on the spot inside the field."});
 }
 
 void TestExplanation::speaksOfEveryShippedField() {

@@ -293,6 +293,54 @@ private slots:
         COMPARE_WITHIN(set->swaths[25].start.y - set->swaths[24].start.y, 48.5 / 25.0, 1e-9);
     }
 
+    // Lanes of 2.5 m. A curve with a radius of 1 m is half a circle and 0.5 m, 1.214 s at 3 m/s. With 8 m it
+    // is 8 (3 pi - 4 asin(18.5 / 32)) = 55.67 m, 18.556 s. On the spot each quarter drives the outer
+    // wheel 1.571 m from stand to stand, 2.507 s at 1 m/s²; the way between takes 2 sqrt(2.5) = 3.162 s;
+    // braking from 2 m/s and speeding up, 2 s. 10.175 s in all.
+    void turningOnTheSpotTakesItsTime_data() {
+        QTest::addColumn<bool>("canTurnInPlace");
+        QTest::addColumn<bool>("hasHeadland");
+        QTest::addColumn<double>("radiusM");
+        QTest::addColumn<double>("longerS");
+        QTest::newRow("without room it stops at every swath") << true << false << 1.0 << 10.175 - 1.214;
+        QTest::newRow("with room it drives the curve") << true << true << 1.0 << 0.0;
+        QTest::newRow("with room for a curve that is slower") << true << true << 8.0 << 10.175 - 18.556;
+        QTest::newRow("other machines drive the curve") << false << false << 1.0 << 0.0;
+    }
+    void turningOnTheSpotTakesItsTime() {
+        QFETCH(bool, canTurnInPlace);
+        QFETCH(bool, hasHeadland);
+        QFETCH(double, radiusM);
+        QFETCH(double, longerS);
+        MachineSpec spec = findMachine("agbot")->spec();
+        spec.implement.offset = {};
+        spec.tractor.width = metres(2.0);
+        spec.tractor.minTurningRadius = metres(radiusM);
+        spec.tractor.workingSpeed = metresPerSecond(2.0);
+        spec.tractor.turningSpeed = metresPerSecond(3.0);
+        spec.tractor.maxAcceleration = Acceleration::fromSi(1.0);
+        spec.tractor.maxLateralAcceleration = Acceleration::fromSi(9.0);
+        const auto timeOf = [&](bool inPlace) {
+            spec.tractor.canTurnInPlace = inPlace;
+            const Machine machine = Machine::create(spec).value();
+            const MultiPolygon field = test::anyField().workable();
+            const MultiPolygon mainland =
+                hasHeadland ? test::moved({test::rectangle(200.0, 100.0)}, {}, {-100.0, -50.0}) : field;
+            const Settings settings;
+            return scanLineFor({.field = test::anyField(),
+                                .mainland = mainland,
+                                .machine = machine,
+                                .settings = settings})
+                .value()
+                .figures(degrees(0.0), SwathObjective::Time);
+        };
+        const HeadingFigures figures = timeOf(canTurnInPlace);
+        const double perChangeS =
+            (figures.time - timeOf(false).time).si() / static_cast<double>(figures.count - 1);
+        // The last lane is narrower.
+        COMPARE_WITHIN(perChangeS, longerS, 1e-2);
+    }
+
     void refuses_data() {
         QTest::addColumn<double>("widthM");
         QTest::addColumn<QString>("overlap");
