@@ -48,6 +48,7 @@ QtObject {
     signal addPlanRequested()
     signal renamePlanRequested()
     signal paletteRequested()
+    signal placeRequested()
     signal keysRequested()
     signal guideRequested()
     signal aboutRequested()
@@ -519,6 +520,13 @@ QtObject {
             shortcut: "F"
             enabled: root.farm.hasField
             onTriggered: root.page.fitField(true)
+        },
+        Command {
+            objectName: "command.place"
+            group: root.viewGroup
+            text: qsTr("Go to a place…")
+            keywords: qsTr("coordinates latitude longitude map")
+            onTriggered: root.placeRequested()
         },
         Command {
             objectName: "command.zoomIn"

@@ -3,7 +3,8 @@ import QtQuick
 import QtQuick.Templates as T
 import Furrow.Controls
 
-/// Every command, setting and machine by its name: type a part of it, arrows choose, Enter runs.
+/// Every command, setting and machine by its name: type a part of it, arrows choose, Enter runs. Coordinates go
+/// to their place.
 T.Popup {
     id: root
 
@@ -11,10 +12,14 @@ T.Popup {
     /// Settings and what else may be gone to: name, group, keywords, and what `entryChosen` needs. Only found
     /// by what is typed.
     property var entries: []
+    /// The entry for a text that names a place; null where it names none.
+    property var placeEntry: text => null
     signal entryChosen(entry: var)
     /// As many as there is room for.
     readonly property int rows: Math.max(2, Math.min(9, Math.floor(((parent ? parent.height : 600) - y - 56 - 12 - 16) / 36)))
     readonly property var found: root.matching(field.text)
+    /// What to type, until it is closed; empty for the usual words.
+    property string hint: ""
 
     objectName: "commandPalette"
     modal: true
@@ -28,6 +33,7 @@ T.Popup {
         list.currentIndex = 0;
     }
     onOpened: field.forceActiveFocus()
+    onClosed: hint = ""
 
     T.Overlay.modal: Rectangle { color: "#33000000" }
     background: Rectangle {
@@ -54,9 +60,9 @@ T.Popup {
             selectionColor: Theme.accent
             selectedTextColor: Theme.accentInk
             font { family: Theme.family; pixelSize: 15 }
-            placeholderText: qsTr("Search commands and settings")
+            placeholderText: root.hint.length > 0 ? root.hint : qsTr("Search commands, settings, coordinates")
             placeholderTextColor: Theme.muted
-            Accessible.name: qsTr("Search commands and settings")
+            Accessible.name: placeholderText
             onTextChanged: list.currentIndex = 0
             onAccepted: root.run(list.currentIndex)
             Keys.onDownPressed: list.incrementCurrentIndex()
@@ -151,7 +157,8 @@ T.Popup {
         // Commands come before settings, what can be run before the rest; then those whose name begins so.
         const nameRank = name => words.length === 0 || name.startsWith(words[0]) ? 0 : words.every(word => name.includes(word)) ? 1 : 2;
         const rank = one => ((one.enabled ?? true) ? 0 : 6) + (one instanceof Command ? 0 : 3) + nameRank(one.name.toLowerCase());
-        return fits.map((one, index) => [rank(one), index, one]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]);
+        const place = root.placeEntry(text);
+        return [...fits.map((one, index) => [rank(one), index, one]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]), ...(place ? [place] : [])];
     }
     function run(index: int): void {
         const chosen = root.found[index];

@@ -1,5 +1,7 @@
 #include "ui/map/map_camera.h"
 
+#include "planner/core/place_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -102,6 +104,15 @@ void MapCamera::turnWheel(QPointF pixel, double eighths) {
     const double notches = eighths / kEighthsPerNotch;
     // Touch pads send many small turns: these are the motion already.
     zoomAt(pixel, notches * kLevelsPerNotch, std::abs(notches) >= 0.5);
+}
+
+QGeoCoordinate MapCamera::placeNamedBy(const QString& text) const {
+    const auto place = furrow::placeNamedBy(text.toStdString());
+    return place ? QGeoCoordinate{place->latDeg, place->lonDeg} : QGeoCoordinate{};
+}
+
+QString MapCamera::nameOf(const QGeoCoordinate& place) const {
+    return place.toString(QGeoCoordinate::DegreesWithHemisphere);
 }
 
 void MapCamera::goTo(const QGeoCoordinate& place, double zoom) {

@@ -45,6 +45,10 @@ public:
 
     Q_INVOKABLE QPointF position(const QGeoCoordinate& place) const { return toItem(worldPoint(place)); }
     Q_INVOKABLE QGeoCoordinate coordinateAt(QPointF pixel) const { return coordinate(toWorld(pixel)); }
+    /// Where a typed place is ("48.1371, 11.5754"); invalid where the text names none.
+    Q_INVOKABLE QGeoCoordinate placeNamedBy(const QString& text) const;
+    /// "48.13710° N, 11.57540° E".
+    Q_INVOKABLE QString nameOf(const QGeoCoordinate& place) const;
     Q_INVOKABLE void panBy(double dx, double dy);
     /// Zooms by this many levels; what is under `pixel` stays there.
     Q_INVOKABLE void zoomAt(QPointF pixel, double levels, bool animated);

@@ -165,6 +165,10 @@ ApplicationWindow {
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
         onPaletteRequested: palette.open()
+        onPlaceRequested: {
+            palette.hint = qsTr("Coordinates, such as 48.1371, 11.5754");
+            palette.open();
+        }
         onKeysRequested: windowDialogs.keys.open()
         onGuideRequested: beside.guideOpen ? beside.closeGuide() : beside.showGuide()
         onAboutRequested: windowDialogs.about.open()
@@ -191,6 +195,7 @@ ApplicationWindow {
         parent: Overlay.overlay
         commands: appCommands.all
         onAboutToShow: entries = root.searchable()
+        placeEntry: text => root.placeEntry(text)
         onEntryChosen: entry => root.goTo(entry)
     }
     WindowDialogs {
@@ -603,8 +608,15 @@ ApplicationWindow {
         const findings = root.session.findings.texts().map((text, index) => ({ kind: "finding", name: text, group: qsTr("Findings"), keywords: qsTr("finding"), index: index }));
         return [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable(), ...fields, ...findings, ...pages];
     }
+    function placeEntry(text: string): var {
+        const place = page.camera.placeNamedBy(text);
+        return place.isValid ? { kind: "place", name: qsTr("Go to %1").arg(page.camera.nameOf(place)), group: qsTr("Map"), keywords: "", place: place } : null;
+    }
     function goTo(entry: var): void {
-        if (entry.kind === "guide") {
+        if (entry.kind === "place") {
+            page.camera.centreOn(entry.place, 16, true);
+            mapOverlays.pulseAt(entry.place);
+        } else if (entry.kind === "guide") {
             beside.showGuidePage(entry.chapter, entry.block);
         } else if (entry.kind === "field") {
             root.session.farm.currentField = entry.index;
