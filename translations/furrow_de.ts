@@ -598,6 +598,14 @@
         <source>Previous finding of the same kind</source>
         <translation>Voriger Hinweis derselben Art</translation>
     </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Zu einem Ort gehen …</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>Koordinaten Breite Länge Karte</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -736,12 +744,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Search commands and settings</source>
-        <translation>Befehle und Einstellungen suchen</translation>
-    </message>
-    <message>
         <source>There is no command and no setting of that name</source>
         <translation>Es gibt keinen Befehl und keine Einstellung dieses Namens</translation>
+    </message>
+    <message>
+        <source>Search commands, settings, coordinates</source>
+        <translation>Befehle, Einstellungen, Koordinaten suchen</translation>
     </message>
 </context>
 <context>
@@ -2197,6 +2205,18 @@
     <message>
         <source>This plan: %1</source>
         <translation>Dieser Plan: %1</translation>
+    </message>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Koordinaten, etwa 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
     </message>
 </context>
 <context>

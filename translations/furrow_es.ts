@@ -598,6 +598,14 @@
         <source>Previous finding of the same kind</source>
         <translation>Aviso anterior del mismo tipo</translation>
     </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Ir a un lugar…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coordenadas latitud longitud mapa</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -736,12 +744,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Search commands and settings</source>
-        <translation>Buscar comandos y ajustes</translation>
-    </message>
-    <message>
         <source>There is no command and no setting of that name</source>
         <translation>No hay ningún comando ni ajuste con ese nombre</translation>
+    </message>
+    <message>
+        <source>Search commands, settings, coordinates</source>
+        <translation>Buscar comandos, ajustes, coordenadas</translation>
     </message>
 </context>
 <context>
@@ -2197,6 +2205,18 @@
     <message>
         <source>This plan: %1</source>
         <translation>Este plan: %1</translation>
+    </message>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coordenadas, como 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir a %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
     </message>
 </context>
 <context>

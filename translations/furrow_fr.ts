@@ -598,6 +598,14 @@
         <source>Previous finding of the same kind</source>
         <translation>Remarque précédente du même genre</translation>
     </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Aller à un endroit…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coordonnées latitude longitude carte</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -736,12 +744,12 @@
         <translation>%1 : %2</translation>
     </message>
     <message>
-        <source>Search commands and settings</source>
-        <translation>Chercher commandes et réglages</translation>
-    </message>
-    <message>
         <source>There is no command and no setting of that name</source>
         <translation>Aucune commande ni réglage de ce nom</translation>
+    </message>
+    <message>
+        <source>Search commands, settings, coordinates</source>
+        <translation>Chercher commandes, réglages, coordonnées</translation>
     </message>
 </context>
 <context>
@@ -2197,6 +2205,18 @@
     <message>
         <source>This plan: %1</source>
         <translation>Ce plan : %1</translation>
+    </message>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coordonnées, comme 48,1371 ; 11,5754</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Aller à %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
     </message>
 </context>
 <context>

@@ -598,6 +598,14 @@
         <source>Previous finding of the same kind</source>
         <translation>Vorige bevinding van dezelfde soort</translation>
     </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Naar een plaats gaan…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coördinaten breedtegraad lengtegraad kaart</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -736,12 +744,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Search commands and settings</source>
-        <translation>Opdrachten en instellingen zoeken</translation>
-    </message>
-    <message>
         <source>There is no command and no setting of that name</source>
         <translation>Er is geen opdracht en geen instelling met die naam</translation>
+    </message>
+    <message>
+        <source>Search commands, settings, coordinates</source>
+        <translation>Opdrachten, instellingen, coördinaten zoeken</translation>
     </message>
 </context>
 <context>
@@ -2197,6 +2205,18 @@
     <message>
         <source>This plan: %1</source>
         <translation>Dit plan: %1</translation>
+    </message>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coördinaten, zoals 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ga naar %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kaart</translation>
     </message>
 </context>
 <context>

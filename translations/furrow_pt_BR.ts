@@ -598,6 +598,14 @@
         <source>Previous finding of the same kind</source>
         <translation>Aviso anterior do mesmo tipo</translation>
     </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Ir para um lugar…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coordenadas latitude longitude mapa</translation>
+    </message>
 </context>
 <context>
     <name>BestPlanDialog</name>
@@ -736,12 +744,12 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Search commands and settings</source>
-        <translation>Buscar comandos e configurações</translation>
-    </message>
-    <message>
         <source>There is no command and no setting of that name</source>
         <translation>Não há comando nem configuração com esse nome</translation>
+    </message>
+    <message>
+        <source>Search commands, settings, coordinates</source>
+        <translation>Buscar comandos, configurações, coordenadas</translation>
     </message>
 </context>
 <context>
@@ -2197,6 +2205,18 @@
     <message>
         <source>This plan: %1</source>
         <translation>Este plano: %1</translation>
+    </message>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coordenadas, como 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir para %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
     </message>
 </context>
 <context>

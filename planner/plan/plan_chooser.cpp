@@ -22,6 +22,8 @@ namespace furrow {
 namespace {
 
 constexpr Angle kSameHeading = degrees(0.01);
+// A plan that leaves this share of the land, finishing passes and all, is not mended by other corners.
+constexpr double kMuchLeft = 0.2;
 // Other headings of the search that are driven where the best one blocks.
 constexpr std::size_t kMostHeadings = 2;
 // Estimated turns may mistake the difference of two orders by this share of the whole time.
@@ -41,6 +43,10 @@ constexpr double kOrderInCorners = 1.5;
 
 auto problemsOf(const PlannedStages& plan) {
     return problems(plan.driven->findings);
+}
+
+bool leavesMuch(const PlannedStages& plan) {
+    return !plan.drivable() && plan.driven->audit.left > kMuchLeft * area(plan.request.field->workable());
 }
 
 /// Headings that a search by time found, other than the one it took: along the longest edge, which estimates
@@ -212,7 +218,8 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     }
     const std::string taken = cornerOf(best.plan);
     note(best.instead, kHeadlandCorner, taken);
-    if (lastingCount(best.plan.driven->findings) > 0 || isTooLargeToCompare(best.plan)) {
+    if (lastingCount(best.plan.driven->findings) > 0 || leavesMuch(best.plan) ||
+        isTooLargeToCompare(best.plan)) {
         return {};
     }
     const bool isFirst = !best.nearCorners;

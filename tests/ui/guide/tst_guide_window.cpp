@@ -116,6 +116,26 @@ private slots:
         click(rowOf(finding));
         QTRY_COMPARE(editor()->selectedFinding(), 0);
     }
+    void coordinatesAreGoneTo() {
+        QVERIFY(!shows(QStringLiteral("palette.field")));
+        QVERIFY(QMetaObject::invokeMethod(window_->findChild<QObject*>(QStringLiteral("command.place")),
+                                          "trigger"));
+        QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+        type(QStringLiteral("47,5 N 8,25 E"));
+        QTRY_COMPARE(item(QStringLiteral("palette.row.0"))->property("text").toString(),
+                     QStringLiteral("Go to 47.50000° N, 8.25000° E"));
+        picture(QStringLiteral("palette_place"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(camera()->center().distanceTo(QGeoCoordinate{47.5, 8.25}) < 1.0);
+        QTRY_COMPARE(camera()->zoomLevel(), 16.0);
+        // No place on Earth.
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+        type(QStringLiteral("97.5, 8.25"));
+        QVERIFY(!shows(QStringLiteral("palette.row.0")));
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("palette.field")));
+    }
     void pictures() {
         openSample(QStringLiteral("Home Field"));
         QTest::mouseMove(window_, middle());
