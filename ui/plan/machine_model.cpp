@@ -128,18 +128,21 @@ QString MachineModel::name() const {
 
 QVariantList MachineModel::searchable() const {
     QVariantList found;
-    const auto add = [&found](const QString& name, const QString& keywords, const QString& field) {
-        found << QVariantMap{{QStringLiteral("name"), name},
-                             {QStringLiteral("group"), tr("Machine")},
-                             {QStringLiteral("keywords"), keywords},
-                             {QStringLiteral("stepId"), QStringLiteral("machine")},
-                             {QStringLiteral("key"), QStringLiteral("machine.") + field}};
+    const auto entry = [](const QString& name, const QString& keywords, const QString& field) {
+        return QVariantMap{{QStringLiteral("name"), name},
+                           {QStringLiteral("group"), tr("Machine")},
+                           {QStringLiteral("keywords"), keywords},
+                           {QStringLiteral("stepId"), QStringLiteral("machine")},
+                           {QStringLiteral("key"), QStringLiteral("machine.") + field}};
     };
-    for (const QString& name : library()) {
-        add(name, tr("machine"), QStringLiteral("library"));
+    const QStringList machines = library();
+    for (qsizetype i = 0; i < machines.size(); ++i) {
+        QVariantMap machine = entry(machines[i], tr("machine"), QStringLiteral("library"));
+        machine.insert(QStringLiteral("machine"), i);
+        found << machine;
     }
     for (const MachineKey* const key : keys_) {
-        add(shown(key->name), shown(key->description), fromStd(key->key));
+        found << entry(shown(key->name), shown(key->description), fromStd(key->key));
     }
     return found;
 }

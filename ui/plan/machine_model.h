@@ -62,7 +62,8 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QHash<int, QByteArray> roleNames() const override;
 
-    /// Every machine of the library and every number of one, for a search by name: name, keywords, key.
+    /// Every machine of the library and every number of one, for a search by name: name, keywords, key; of a
+    /// machine its index.
     Q_INVOKABLE QVariantList searchable() const;
     /// In SI units. A value that no machine can have is refused and `problem` says why.
     Q_INVOKABLE void setNumber(int row, double value);

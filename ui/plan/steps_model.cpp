@@ -281,18 +281,22 @@ QHash<int, QByteArray> StepsModel::roleNames() const {
 QVariantList StepsModel::searchable() const {
     QVariantList found;
     const auto add = [&found](const QString& name, const QString& group, const QString& keywords,
-                              const QString& stepId, std::string_view key) {
-        found << QVariantMap{{QStringLiteral("name"), name},
-                             {QStringLiteral("group"), group},
-                             {QStringLiteral("keywords"), keywords},
-                             {QStringLiteral("stepId"), stepId},
-                             {QStringLiteral("key"), fromStd(key)}};
+                              const QString& stepId, std::string_view key, std::string_view value = {}) {
+        QVariantMap entry{{QStringLiteral("name"), name},
+                          {QStringLiteral("group"), group},
+                          {QStringLiteral("keywords"), keywords},
+                          {QStringLiteral("stepId"), stepId},
+                          {QStringLiteral("key"), fromStd(key)}};
+        if (!value.empty()) {
+            entry.insert(QStringLiteral("value"), fromStd(value));
+        }
+        found << entry;
     };
     const auto addParameter = [&](const Parameter& parameter, const QString& group, const QString& stepId) {
         add(shown(parameter.name), group, shown(parameter.description), stepId, parameter.key);
         for (const Choice& choice : parameter.choices) {
             add(tr("%1: %2").arg(shown(parameter.name), shown(choice.name)), group, shown(choice.description),
-                stepId, parameter.key);
+                stepId, parameter.key, choice.id);
         }
     };
     for (const Parameter* parameter : generalParameters()) {
@@ -311,7 +315,7 @@ QVariantList StepsModel::searchable() const {
             }
         };
         for (const MethodInfo& method : stage.methods) {
-            add(shown(method.name), group, shown(method.description), stepId, stage.method->key);
+            add(shown(method.name), group, shown(method.description), stepId, stage.method->key, method.id);
             addOnce(method.parameters);
         }
         addOnce(stage.parameters);

@@ -52,7 +52,7 @@ public:
     ParameterModel* parameters(const QString& stepId) const;
 
     /// Every setting and every choice of one that the steps have, for a search by name: name, group (of the
-    /// step), keywords, stepId, key.
+    /// step), keywords, stepId, key; of a choice its value.
     Q_INVOKABLE QVariantList searchable() const;
 
 signals:

@@ -625,6 +625,11 @@ ApplicationWindow {
             root.goToFinding(entry.index);
             beside.results.showFinding(entry.index);
         } else {
+            // What has a value is taken, as in its panel.
+            if (entry.machine !== undefined)
+                root.session.planning.machine.libraryIndex = entry.machine;
+            else if (entry.value !== undefined)
+                root.session.planning.set(entry.key, entry.value);
             root.stepsWanted = true;
             steps.openSetting(entry.stepId, entry.key);
         }

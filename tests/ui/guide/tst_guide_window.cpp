@@ -1,3 +1,4 @@
+#include "planner/plan/method_registry.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
@@ -115,6 +116,26 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!rowOf(finding).isEmpty(), 5000);
         click(rowOf(finding));
         QTRY_COMPARE(editor()->selectedFinding(), 0);
+    }
+    void aMachineAndAMethodAreTakenByTheirNames() {
+        DRAW_FIELD();
+        const auto take = [this](const QString& words) {
+            key(Qt::Key_K, Qt::ControlModifier);
+            QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+            type(words);
+            QTRY_VERIFY(shows(QStringLiteral("palette.row.0")));
+            key(Qt::Key_Return);
+            QTRY_VERIFY(!shows(QStringLiteral("palette.field")));
+        };
+        take(QStringLiteral("field robot"));
+        QTRY_VERIFY(session_->planning()->machine()->name().startsWith(QStringLiteral("Field robot")));
+        take(QStringLiteral("no headland"));
+        QTRY_COMPARE(session_->planning()->settings().choice(**furrow::findParameter("headland.method")),
+                     "none");
+        // Both are undone like any other change.
+        key(Qt::Key_Z, Qt::ControlModifier);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(!session_->planning()->machine()->name().startsWith(QStringLiteral("Field robot")));
     }
     void coordinatesAreGoneTo() {
         QVERIFY(!shows(QStringLiteral("palette.field")));
