@@ -1,5 +1,7 @@
 #include "ui/explain/plan_reasons.h"
 
+#include "planner/plan/method_registry.h"
+#include "ui/project/document.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
@@ -9,7 +11,8 @@
 namespace furrow {
 
 PlanReasons::PlanReasons(Document& document, ShownPlan& shown, QObject* parent)
-    : QObject{parent}, shown_{shown}, headings_{document} {
+    : QObject{parent}, document_{document}, shown_{shown}, headings_{document} {
+    connect(&document_, &Document::projectChanged, this, &PlanReasons::changed);
     connect(&shown_, &ShownPlan::planChanged, this, &PlanReasons::follow);
     connect(&Display::instance(), &Display::changed, this, &PlanReasons::changed);
 }
@@ -20,6 +23,20 @@ QVariantMap PlanReasons::texts() const {
         texts.insert(fromStd(reason.step), sentence(reason.text));
     }
     return texts;
+}
+
+QStringList PlanReasons::changedSteps() const {
+    QStringList ids;
+    if (plan_ == nullptr || document_.project() == nullptr) {
+        return ids;
+    }
+    const Settings& settings = document_.project()->plan().settings;
+    for (const StageInfo& stage : stages()) {
+        if (settings.choice(*stage.method) != plan_->request.settings.choice(*stage.method)) {
+            ids << fromStd(stage.id);
+        }
+    }
+    return ids;
 }
 
 void PlanReasons::follow() {

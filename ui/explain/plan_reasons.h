@@ -7,6 +7,7 @@
 
 #include <QtQml/qqmlregistration.h>
 #include <QObject>
+#include <QStringList>
 #include <QVariantMap>
 
 #include <memory>
@@ -22,12 +23,15 @@ class PlanReasons : public QObject {
     QML_UNCREATABLE("belongs to the planning")
     /// By the id of a step; steps about which nothing is to be said are not in it.
     Q_PROPERTY(QVariantMap texts READ texts NOTIFY changed FINAL)
+    /// The ids of steps that have another method by now than the plan that the reasons are of.
+    Q_PROPERTY(QStringList changedSteps READ changedSteps NOTIFY changed FINAL)
     Q_PROPERTY(furrow::HeadingChoice* headings READ headings CONSTANT FINAL)
 
 public:
     PlanReasons(Document& document, ShownPlan& shown, QObject* parent = nullptr);
 
     QVariantMap texts() const;
+    QStringList changedSteps() const;
     HeadingChoice* headings() { return &headings_; }
     /// The plan that they are of; null for none.
     const std::shared_ptr<const Plan>& plan() const { return plan_; }
@@ -40,6 +44,7 @@ private:
     void show(std::shared_ptr<const Plan> plan, std::vector<Explanation> reasons,
               std::optional<HeadingCurve> curve);
 
+    Document& document_;
     ShownPlan& shown_;
     std::shared_ptr<const Plan> asked_;
     std::shared_ptr<const Plan> plan_;

@@ -164,8 +164,8 @@ Rectangle {
                 text: root.planning.reasons.texts[root.stepId] ?? ""
                 wrapMode: Text.WordWrap
                 lineHeight: 1.15
-                // Of the plan before, while the next one is made.
-                opacity: root.old ? 0.6 : 1
+                // Of the plan before, while the next one is made; of another method nothing.
+                opacity: root.planning.reasons.changedSteps.includes(root.stepId) ? 0 : root.old ? 0.6 : 1
             }
             Loader {
                 width: parent.width

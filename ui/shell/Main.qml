@@ -194,7 +194,11 @@ ApplicationWindow {
         y: 72
         parent: Overlay.overlay
         commands: appCommands.all
-        onAboutToShow: entries = root.searchable()
+        onAboutToShow: {
+            entries = root.searchable();
+            // What opened late would take the keys.
+            steps.wantedKey = "";
+        }
         placeEntry: text => root.placeEntry(text)
         onEntryChosen: entry => root.goTo(entry)
     }
@@ -384,6 +388,8 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
+            // Beside the tour, where the tools leave room.
+            anchors.horizontalCenterOffset: -Math.max(0, Math.min((parent.width - width) / 2 - 76, (width - parent.width) / 2 + tour.takenWidth + 16))
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
             visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0

@@ -82,6 +82,13 @@ void TestReasonsWindow::stepsSayWhy() {
     QTRY_VERIFY(item("reason.headland")->property("text").toString() != metric);
     QVERIFY(item("reason.headland")->property("text").toString().contains("ft"));
     furrow::Display::instance().setUnits(furrow::Display::Metric);
+    // What is said of another method does not stand beside the one that is chosen.
+    QCOMPARE(item("reason.headland")->opacity(), 1.0);
+    session_->planning()->set("headland.method", "none");
+    QCOMPARE(item("reason.headland")->opacity(), 0.0);
+    waitForPlan();
+    QTRY_COMPARE(item("reason.headland")->opacity(), 1.0);
+    QVERIFY(item("reason.headland")->property("text").toString().startsWith("There is no headland"));
 }
 
 void TestReasonsWindow::headingIsTakenByAClick() {

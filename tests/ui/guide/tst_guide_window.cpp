@@ -129,6 +129,7 @@ private slots:
         };
         take(QStringLiteral("field robot"));
         QTRY_VERIFY(session_->planning()->machine()->name().startsWith(QStringLiteral("Field robot")));
+        // At once, while the step of the machine opens.
         take(QStringLiteral("no headland"));
         QTRY_COMPARE(session_->planning()->settings().choice(**furrow::findParameter("headland.method")),
                      "none");

@@ -119,6 +119,16 @@ private slots:
         QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible());
         check("tour");
         picture(QStringLiteral("tour-begun"));
+        const auto placeOf = [this](const char* name) {
+            const QQuickItem& of = *item(QLatin1String{name});
+            return QRectF{of.mapToScene({}), of.size()};
+        };
+        const QSize before = window_->size();
+        for (const QSize size : {QSize{1366, 768}, QSize{1000, 700}, before}) {
+            window_->resize(size);
+            QTRY_COMPARE(window_->size(), size);
+            QTRY_VERIFY(!placeOf("emptyState").intersects(placeOf("tour.card")));
+        }
         const auto isDone = [this](int task) {
             return item(QStringLiteral("tour.task.%1").arg(task))->property("isDone").toBool();
         };
