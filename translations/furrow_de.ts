@@ -1527,6 +1527,41 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Koordinaten, etwa 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Schläge</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+</context>
+<context>
     <name>FindingRow</name>
     <message>
         <source>Finding %1: %2 %3</source>
@@ -2179,44 +2214,12 @@
         <translation>Als Variante behalten</translation>
     </message>
     <message>
-        <source>Guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Schläge</translation>
-    </message>
-    <message>
-        <source>field</source>
-        <translation>Schlag</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Hinweise</translation>
-    </message>
-    <message>
-        <source>finding</source>
-        <translation>Hinweis</translation>
-    </message>
-    <message>
         <source>Keep the machine as</source>
         <translation>Maschine behalten als</translation>
     </message>
     <message>
         <source>This plan: %1</source>
         <translation>Dieser Plan: %1</translation>
-    </message>
-    <message>
-        <source>Coordinates, such as 48.1371, 11.5754</source>
-        <translation>Koordinaten, etwa 48,1371; 11,5754</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>Gehe zu %1</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Karte</translation>
     </message>
 </context>
 <context>

@@ -1527,6 +1527,41 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coordonnées, comme 48,1371 ; 11,5754</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Parcelles</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>parcelle</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>remarque</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Aller à %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+</context>
+<context>
     <name>FindingRow</name>
     <message>
         <source>Finding %1: %2 %3</source>
@@ -2179,44 +2214,12 @@
         <translation>Garder comme variante</translation>
     </message>
     <message>
-        <source>Guide</source>
-        <translation>Guide</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Parcelles</translation>
-    </message>
-    <message>
-        <source>field</source>
-        <translation>parcelle</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Remarques</translation>
-    </message>
-    <message>
-        <source>finding</source>
-        <translation>remarque</translation>
-    </message>
-    <message>
         <source>Keep the machine as</source>
         <translation>Garder la machine sous</translation>
     </message>
     <message>
         <source>This plan: %1</source>
         <translation>Ce plan : %1</translation>
-    </message>
-    <message>
-        <source>Coordinates, such as 48.1371, 11.5754</source>
-        <translation>Coordonnées, comme 48,1371 ; 11,5754</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>Aller à %1</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Carte</translation>
     </message>
 </context>
 <context>

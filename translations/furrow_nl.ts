@@ -1527,6 +1527,41 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coördinaten, zoals 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handleiding</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Percelen</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>perceel</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Bevindingen</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>bevinding</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ga naar %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kaart</translation>
+    </message>
+</context>
+<context>
     <name>FindingRow</name>
     <message>
         <source>Finding %1: %2 %3</source>
@@ -2179,44 +2214,12 @@
         <translation>Als variant bewaren</translation>
     </message>
     <message>
-        <source>Guide</source>
-        <translation>Handleiding</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Percelen</translation>
-    </message>
-    <message>
-        <source>field</source>
-        <translation>perceel</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Bevindingen</translation>
-    </message>
-    <message>
-        <source>finding</source>
-        <translation>bevinding</translation>
-    </message>
-    <message>
         <source>Keep the machine as</source>
         <translation>Machine bewaren als</translation>
     </message>
     <message>
         <source>This plan: %1</source>
         <translation>Dit plan: %1</translation>
-    </message>
-    <message>
-        <source>Coordinates, such as 48.1371, 11.5754</source>
-        <translation>Coördinaten, zoals 48,1371; 11,5754</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>Ga naar %1</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Kaart</translation>
     </message>
 </context>
 <context>

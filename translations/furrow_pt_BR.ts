@@ -1527,6 +1527,41 @@
     </message>
 </context>
 <context>
+    <name>Finder</name>
+    <message>
+        <source>Coordinates, such as 48.1371, 11.5754</source>
+        <translation>Coordenadas, como 48,1371; 11,5754</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guia</translation>
+    </message>
+    <message>
+        <source>Fields</source>
+        <translation>Talhões</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>talhão</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>aviso</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir para %1</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+</context>
+<context>
     <name>FindingRow</name>
     <message>
         <source>Finding %1: %2 %3</source>
@@ -2179,44 +2214,12 @@
         <translation>Guardar como variante</translation>
     </message>
     <message>
-        <source>Guide</source>
-        <translation>Guia</translation>
-    </message>
-    <message>
-        <source>Fields</source>
-        <translation>Talhões</translation>
-    </message>
-    <message>
-        <source>field</source>
-        <translation>talhão</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Avisos</translation>
-    </message>
-    <message>
-        <source>finding</source>
-        <translation>aviso</translation>
-    </message>
-    <message>
         <source>Keep the machine as</source>
         <translation>Guardar a máquina como</translation>
     </message>
     <message>
         <source>This plan: %1</source>
         <translation>Este plano: %1</translation>
-    </message>
-    <message>
-        <source>Coordinates, such as 48.1371, 11.5754</source>
-        <translation>Coordenadas, como 48,1371; 11,5754</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>Ir para %1</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Mapa</translation>
     </message>
 </context>
 <context>

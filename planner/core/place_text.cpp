@@ -3,7 +3,6 @@
 #include "planner/core/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <span>
@@ -31,24 +30,17 @@ struct Token {
 
 /// Signs that are written in several ways become one byte each.
 std::string plainSigns(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSigns{{{"°", "d"},
-                                                                                    {"º", "d"},
-                                                                                    {"˚", "d"},
-                                                                                    {"′", "'"},
-                                                                                    {"’", "'"},
-                                                                                    {"´", "'"},
-                                                                                    {"″", "\""},
-                                                                                    {"”", "\""},
-                                                                                    {"''", "\""},
-                                                                                    {"−", "-"},
-                                                                                    {"–", "-"},
-                                                                                    {"\u00a0", " "},
-                                                                                    {"\u202f", " "},
-                                                                                    {"\t", " "}}};
+    struct Sign {
+        std::string_view written;
+        char byte;
+    };
+    constexpr Sign kSigns[] = {{"°", 'd'},  {"º", 'd'},  {"˚", 'd'},      {"′", '\''},    {"’", '\''},
+                               {"´", '\''}, {"″", '"'},  {"”", '"'},      {"''", '"'},    {"−", '-'},
+                               {"–", '-'},  {"\t", ' '}, {"\u00a0", ' '}, {"\u202f", ' '}};
     std::string plain{text};
-    for (const auto& [sign, byte] : kSigns) {
-        for (auto at = plain.find(sign); at != std::string::npos; at = plain.find(sign, at)) {
-            plain.replace(at, sign.size(), byte);
+    for (const Sign& sign : kSigns) {
+        for (auto at = plain.find(sign.written); at != std::string::npos; at = plain.find(sign.written, at)) {
+            plain.replace(at, sign.written.size(), 1, sign.byte);
         }
     }
     return plain;
@@ -172,7 +164,7 @@ std::optional<std::size_t> secondAngleIn(std::span<const Token> tokens) {
 
 std::optional<GeoPoint> placeOf(std::span<const Token> tokens) {
     const auto split = secondAngleIn(tokens);
-    if (!split || *split > tokens.size()) {
+    if (!split) {
         return std::nullopt;
     }
     auto before = tokens.first(*split);
@@ -188,9 +180,9 @@ std::optional<GeoPoint> placeOf(std::span<const Token> tokens) {
     if (isAlong(*first)) {
         std::swap(first, second);
     }
-    const bool hasLetters = first->compass != ' ' && second->compass != ' ';
-    const bool hasNone = first->compass == ' ' && second->compass == ' ';
-    if (!(hasLetters ? isAlong(*second) && !isAlong(*first) : hasNone) ||
+    // Letters of both, one along each way, or of none.
+    const bool hasLetters = first->compass != ' ';
+    if (hasLetters != (second->compass != ' ') || (hasLetters && isAlong(*first) == isAlong(*second)) ||
         std::abs(first->deg) > kMostLatDeg || std::abs(second->deg) > kMostLonDeg) {
         return std::nullopt;
     }

@@ -7,9 +7,9 @@
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
+#include "planner/plan/swath_stage.h"
 #include "planner/route/route_costs.h"
 #include "planner/swaths/methods.h"
-#include "planner/turns/straight_turn.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ Length roomForTurnsOf(const Plan& plan) {
 }
 
 Message whyNoHeadland(const Plan& plan) {
-    if (plan.request.settings.flag(kStayInside) && canTurnOnTheSpot(plan.request.machine)) {
+    if (turnsOnTheSpotInside(plan.request)) {
         return message("There is no headland, as chosen. The machine turns on the spot inside the field.");
     }
     return message("There is no headland, as chosen. Turns reach {:.1f} m beyond the ends of swaths.",

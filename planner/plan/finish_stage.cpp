@@ -8,7 +8,7 @@
 #include "planner/path/headland_order.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/stopwatch.h"
-#include "planner/turns/straight_turn.h"
+#include "planner/plan/swath_stage.h"
 
 #include <algorithm>
 #include <iterator>
@@ -67,7 +67,7 @@ bool mayFinish(const DriveTask& task) {
     if (!settings.flag(kStayInside)) {
         return settings.flag(kHeadlandFinish) && headland.passes == 0;
     }
-    const bool turnsAtEnds = headland.width <= task.ground->margin && canTurnOnTheSpot(task.request.machine);
+    const bool turnsAtEnds = headland.width <= task.ground->margin && turnsOnTheSpotInside(task.request);
     return settings.flag(kHeadlandFinish) && (turnsAtEnds || !headland.drivenPasses.empty());
 }
 

@@ -152,8 +152,7 @@ struct GroundForEnds {
 
 /// Whether swaths have to leave room for turns on the spot at their ends.
 bool turnsAtEnds(const LayTask& task) {
-    return task.passes == 0 && task.request.settings.flag(kStayInside) &&
-           canTurnOnTheSpot(task.request.machine);
+    return task.passes == 0 && turnsOnTheSpotInside(task.request);
 }
 
 /// The swaths of the chosen method. With turns on the spot at their ends, without what the implement would
@@ -187,6 +186,10 @@ Result<GroundForEnds> groundForEnds(const LayTask& task, const JobContext& job) 
 }
 
 }  // namespace
+
+bool turnsOnTheSpotInside(const PlanRequest& request) {
+    return request.settings.flag(kStayInside) && canTurnOnTheSpot(request.machine);
+}
 
 SwathSet cutTo(const SwathSet& set, const MultiPolygon& part) {
     const MainlandEdges edges{part};

@@ -16,6 +16,9 @@ struct LayTask {
     const SwathSet& found;  ///< of the chosen method in the mainland
 };
 
+/// Whether a machine without a headland turns on the spot, inside the field.
+bool turnsOnTheSpotInside(const PlanRequest& request);
+
 /// The swaths of the chosen method with their tramlines and with ends as the settings want them, cut where
 /// decomposition.split says, and in a heading of their own in cells in which that is quicker, if
 /// decomposition.heading asks for it (see withOwnHeadings): parts are the pieces between split lines, and

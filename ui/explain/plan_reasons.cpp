@@ -12,7 +12,7 @@ namespace furrow {
 
 PlanReasons::PlanReasons(Document& document, ShownPlan& shown, QObject* parent)
     : QObject{parent}, document_{document}, shown_{shown}, headings_{document} {
-    connect(&document_, &Document::projectChanged, this, &PlanReasons::changed);
+    connect(&document_, &Document::projectChanged, this, &PlanReasons::changedStepsChanged);
     connect(&shown_, &ShownPlan::planChanged, this, &PlanReasons::follow);
     connect(&Display::instance(), &Display::changed, this, &PlanReasons::changed);
 }
@@ -27,7 +27,7 @@ QVariantMap PlanReasons::texts() const {
 
 QStringList PlanReasons::changedSteps() const {
     QStringList ids;
-    if (plan_ == nullptr || document_.project() == nullptr) {
+    if (plan_ == nullptr) {
         return ids;
     }
     const Settings& settings = document_.project()->plan().settings;
@@ -69,6 +69,7 @@ void PlanReasons::show(std::shared_ptr<const Plan> plan, std::vector<Explanation
     reasons_ = std::move(reasons);
     headings_.show(plan_, std::move(curve));
     emit changed();
+    emit changedStepsChanged();
 }
 
 }  // namespace furrow

@@ -24,7 +24,7 @@ class PlanReasons : public QObject {
     /// By the id of a step; steps about which nothing is to be said are not in it.
     Q_PROPERTY(QVariantMap texts READ texts NOTIFY changed FINAL)
     /// The ids of steps that have another method by now than the plan that the reasons are of.
-    Q_PROPERTY(QStringList changedSteps READ changedSteps NOTIFY changed FINAL)
+    Q_PROPERTY(QStringList changedSteps READ changedSteps NOTIFY changedStepsChanged FINAL)
     Q_PROPERTY(furrow::HeadingChoice* headings READ headings CONSTANT FINAL)
 
 public:
@@ -38,6 +38,7 @@ public:
 
 signals:
     void changed();
+    void changedStepsChanged();
 
 private:
     void follow();

@@ -166,6 +166,7 @@ Rectangle {
                 lineHeight: 1.15
                 // Of the plan before, while the next one is made; of another method nothing.
                 opacity: root.planning.reasons.changedSteps.includes(root.stepId) ? 0 : root.old ? 0.6 : 1
+                Accessible.ignored: opacity === 0
             }
             Loader {
                 width: parent.width

@@ -164,11 +164,8 @@ ApplicationWindow {
         onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
         onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
         onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
-        onPaletteRequested: palette.open()
-        onPlaceRequested: {
-            palette.hint = qsTr("Coordinates, such as 48.1371, 11.5754");
-            palette.open();
-        }
+        onPaletteRequested: finder.open()
+        onPlaceRequested: finder.openForPlace()
         onKeysRequested: windowDialogs.keys.open()
         onGuideRequested: beside.guideOpen ? beside.closeGuide() : beside.showGuide()
         onAboutRequested: windowDialogs.about.open()
@@ -187,20 +184,20 @@ ApplicationWindow {
         sequences: ["Ctrl+Y"]
         onActivated: appCommands.named("redo").trigger()
     }
-    CommandPalette {
-        id: palette
+    Finder {
+        id: finder
 
         x: (root.width - width) / 2
         y: 72
         parent: Overlay.overlay
         commands: appCommands.all
-        onAboutToShow: {
-            entries = root.searchable();
-            // What opened late would take the keys.
-            steps.wantedKey = "";
-        }
-        placeEntry: text => root.placeEntry(text)
-        onEntryChosen: entry => root.goTo(entry)
+        session: root.session
+        page: page
+        overlays: mapOverlays
+        beside: beside
+        steps: steps
+        onStepsRequested: root.stepsWanted = true
+        onFindingRequested: index => root.goToFinding(index)
     }
     WindowDialogs {
         id: windowDialogs
@@ -603,41 +600,6 @@ ApplicationWindow {
             page.startTool(FieldEditor.Select);
         } else if (task === 3 && root.session.farm.hasField) {
             root.exportPlan();
-        }
-    }
-    /// What the palette finds beside commands: settings, machines, fields, findings, pages of the guide.
-    function searchable(): var {
-        const pages = beside.guide.searchable(qsTr("Guide"));
-        if (!root.session.farm.hasField)
-            return pages;
-        const fields = root.session.farm.fields.map((name, index) => ({ kind: "field", name: name, group: qsTr("Fields"), keywords: qsTr("field"), index: index }));
-        const findings = root.session.findings.texts().map((text, index) => ({ kind: "finding", name: text, group: qsTr("Findings"), keywords: qsTr("finding"), index: index }));
-        return [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable(), ...fields, ...findings, ...pages];
-    }
-    function placeEntry(text: string): var {
-        const place = page.camera.placeNamedBy(text);
-        return place.isValid ? { kind: "place", name: qsTr("Go to %1").arg(page.camera.nameOf(place)), group: qsTr("Map"), keywords: "", place: place } : null;
-    }
-    function goTo(entry: var): void {
-        if (entry.kind === "place") {
-            page.camera.centreOn(entry.place, 16, true);
-            mapOverlays.pulseAt(entry.place);
-        } else if (entry.kind === "guide") {
-            beside.showGuidePage(entry.chapter, entry.block);
-        } else if (entry.kind === "field") {
-            root.session.farm.currentField = entry.index;
-        } else if (entry.kind === "finding") {
-            beside.showResults();
-            root.goToFinding(entry.index);
-            beside.results.showFinding(entry.index);
-        } else {
-            // What has a value is taken, as in its panel.
-            if (entry.machine !== undefined)
-                root.session.planning.machine.libraryIndex = entry.machine;
-            else if (entry.value !== undefined)
-                root.session.planning.set(entry.key, entry.value);
-            root.stepsWanted = true;
-            steps.openSetting(entry.stepId, entry.key);
         }
     }
     function exportPlan(): void {
