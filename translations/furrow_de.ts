@@ -751,6 +751,10 @@
         <source>Search commands, settings, coordinates</source>
         <translation>Befehle, Einstellungen, Koordinaten suchen</translation>
     </message>
+    <message>
+        <source>As maps, phones and receivers write them</source>
+        <translation>So wie Karten, Telefone und Empfänger sie schreiben</translation>
+    </message>
 </context>
 <context>
     <name>CommentPins</name>

@@ -751,6 +751,10 @@
         <source>Search commands, settings, coordinates</source>
         <translation>Buscar comandos, ajustes, coordenadas</translation>
     </message>
+    <message>
+        <source>As maps, phones and receivers write them</source>
+        <translation>Como las escriben mapas, teléfonos y receptores</translation>
+    </message>
 </context>
 <context>
     <name>CommentPins</name>

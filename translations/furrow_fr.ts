@@ -751,6 +751,10 @@
         <source>Search commands, settings, coordinates</source>
         <translation>Chercher commandes, réglages, coordonnées</translation>
     </message>
+    <message>
+        <source>As maps, phones and receivers write them</source>
+        <translation>Comme les écrivent cartes, téléphones et récepteurs</translation>
+    </message>
 </context>
 <context>
     <name>CommentPins</name>

@@ -751,6 +751,10 @@
         <source>Search commands, settings, coordinates</source>
         <translation>Opdrachten, instellingen, coördinaten zoeken</translation>
     </message>
+    <message>
+        <source>As maps, phones and receivers write them</source>
+        <translation>Zoals kaarten, telefoons en ontvangers ze schrijven</translation>
+    </message>
 </context>
 <context>
     <name>CommentPins</name>

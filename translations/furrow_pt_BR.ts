@@ -751,6 +751,10 @@
         <source>Search commands, settings, coordinates</source>
         <translation>Buscar comandos, configurações, coordenadas</translation>
     </message>
+    <message>
+        <source>As maps, phones and receivers write them</source>
+        <translation>Como mapas, telefones e receptores as escrevem</translation>
+    </message>
 </context>
 <context>
     <name>CommentPins</name>

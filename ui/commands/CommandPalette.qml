@@ -18,6 +18,8 @@ T.Popup {
     /// As many as there is room for.
     readonly property int rows: Math.max(2, Math.min(9, Math.floor(((parent ? parent.height : 600) - y - 56 - 12 - 16) / 36)))
     readonly property var found: root.matching(field.text)
+    /// Where the pointer was seen last since it was opened.
+    property var pointer: undefined
     /// What to type, until it is closed; empty for the usual words.
     property string hint: ""
 
@@ -29,6 +31,7 @@ T.Popup {
     padding: 0
     closePolicy: T.Popup.CloseOnEscape | T.Popup.CloseOnPressOutside
     onAboutToShow: {
+        root.pointer = undefined;
         field.text = "";
         list.currentIndex = 0;
     }
@@ -115,9 +118,14 @@ T.Popup {
                 opacity: runs ? 1 : 0.45
                 Accessible.name: qsTr("%1: %2").arg(modelData.group).arg(name)
                 onClicked: root.run(index)
-                onHoveredChanged: {
-                    if (hovered)
-                        list.currentIndex = index;
+                HoverHandler {
+                    // A row that comes to lie under a pointer at rest is not chosen by that.
+                    onPointChanged: {
+                        const at = point.scenePosition;
+                        if (root.pointer && (at.x !== root.pointer.x || at.y !== root.pointer.y))
+                            list.currentIndex = row.index;
+                        root.pointer = at;
+                    }
                 }
 
                 background: Rectangle {
@@ -144,12 +152,14 @@ T.Popup {
         BodyText {
             anchors { left: parent.left; leftMargin: 48; top: parent.top; topMargin: 70 }
             visible: list.count === 0
-            text: qsTr("There is no command and no setting of that name")
+            text: field.text.length > 0 ? qsTr("There is no command and no setting of that name") : qsTr("As maps, phones and receivers write them")
             color: Theme.muted
         }
     }
 
     function matching(text: string): var {
+        if (text.length === 0 && root.hint.length > 0)
+            return [];
         const words = text.toLowerCase().split(/\s+/).filter(word => word.length > 0);
         const all = words.length > 0 ? [...root.commands, ...root.entries] : [...root.commands];
         const about = one => (one.name + " " + one.group + " " + one.keywords).toLowerCase();

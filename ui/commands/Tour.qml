@@ -28,7 +28,7 @@ Item {
         [qsTr("Take it to the tractor"), qsTr("Export writes the plan to a stick or a folder and checks it.")]
     ]
     /// What it takes of the width at the right.
-    readonly property real takenWidth: visible ? card.width + 16 : 0
+    readonly property real takenWidth: running ? card.width + 16 : 0
     property string machineAtStart: ""
     property Item place: null
     /// A task was pressed: what it is about should open.

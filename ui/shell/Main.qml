@@ -385,11 +385,12 @@ ApplicationWindow {
         }
         EmptyState {
             anchors.centerIn: parent
-            // Beside the tour, where the tools leave room.
-            anchors.horizontalCenterOffset: -Math.max(0, Math.min((parent.width - width) / 2 - 76, (width - parent.width) / 2 + tour.takenWidth + 16))
+            // Beside the tour. Where there is no room for both, the tour's first task is the same.
+            readonly property bool hasRoom: tour.takenWidth === 0 || parent.width >= width + tour.takenWidth + 16 + 76
+            anchors.horizontalCenterOffset: hasRoom ? Math.min(0, (parent.width - width) / 2 - tour.takenWidth - 16) : 0
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
-            visible: (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
+            visible: hasRoom && (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
             opener: root.session.opener
             recent: root.session.recent
             onOpenRequested: dialogs.open()

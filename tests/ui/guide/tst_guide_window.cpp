@@ -138,11 +138,34 @@ private slots:
         key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_VERIFY(!session_->planning()->machine()->name().startsWith(QStringLiteral("Field robot")));
     }
+    void aPointerAtRestChoosesNoRow() {
+        const auto highlighted = [this](int row) {
+            return item(QStringLiteral("palette.row.%1").arg(row))->property("highlighted").toBool();
+        };
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(shows(QStringLiteral("palette.row.6")));
+        const QQuickItem& sixth = *item(QStringLiteral("palette.row.6"));
+        const QPoint there = sixth.mapToScene({40.0, 18.0}).toPoint();
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("palette.field")));
+        QTest::mouseMove(window_, there);
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(shows(QStringLiteral("palette.row.6")));
+        waitForRest(*item(QStringLiteral("palette.row.6")));
+        QVERIFY(highlighted(0) && !highlighted(6));
+        QTest::mouseMove(window_, there + QPoint{3, 1});
+        QTest::mouseMove(window_, there + QPoint{6, 2});
+        QTRY_VERIFY(highlighted(6));
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("palette.field")));
+    }
     void coordinatesAreGoneTo() {
         QVERIFY(!shows(QStringLiteral("palette.field")));
         QVERIFY(QMetaObject::invokeMethod(window_->findChild<QObject*>(QStringLiteral("command.place")),
                                           "trigger"));
         QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+        // Nothing is listed that Return might do before a place is typed.
+        QVERIFY(!shows(QStringLiteral("palette.row.0")));
         type(QStringLiteral("47,5 N 8,25 E"));
         QTRY_COMPARE(item(QStringLiteral("palette.row.0"))->property("text").toString(),
                      QStringLiteral("Go to 47.50000° N, 8.25000° E"));

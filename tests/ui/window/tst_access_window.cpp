@@ -119,15 +119,20 @@ private slots:
         QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible());
         check("tour");
         picture(QStringLiteral("tour-begun"));
+        // Both stand beside each other, or the tour alone.
         const auto placeOf = [this](const char* name) {
             const QQuickItem& of = *item(QLatin1String{name});
             return QRectF{of.mapToScene({}), of.size()};
         };
         const QSize before = window_->size();
-        for (const QSize size : {QSize{1366, 768}, QSize{1000, 700}, before}) {
+        for (const auto& [size, hasRoom] :
+             {std::pair{QSize{1366, 768}, true}, {QSize{1000, 700}, false}, {before, true}}) {
             window_->resize(size);
             QTRY_COMPARE(window_->size(), size);
-            QTRY_VERIFY(!placeOf("emptyState").intersects(placeOf("tour.card")));
+            QTRY_COMPARE(item(QStringLiteral("emptyState"))->isVisible(), hasRoom);
+            waitForRest(*item(QStringLiteral("emptyState")));
+            picture(QStringLiteral("tour-%1").arg(size.width()));
+            QVERIFY(!hasRoom || !placeOf("emptyState").intersects(placeOf("tour.card")));
         }
         const auto isDone = [this](int task) {
             return item(QStringLiteral("tour.task.%1").arg(task))->property("isDone").toBool();
