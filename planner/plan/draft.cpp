@@ -6,6 +6,7 @@
 #include "planner/headland/methods.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
+#include "planner/route/route.h"
 #include "planner/swaths/methods.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/dubins.h"
@@ -23,11 +24,25 @@ void choose(Settings& settings, std::string_view stage, std::string_view method)
     settings.set(*info->method, std::string{method}).value();
 }
 
+/// The swaths of a plan in their order, in the frame of a field whose boundary may have changed.
+std::vector<DrivenSwath> swathsInOrder(const Plan& plan, const LocalFrame& frame) {
+    const auto here = [&](Point place) { return frame.toLocal(plan.field().frame().toGeo(place)); };
+    std::vector<DrivenSwath> swaths;
+    for (const RouteStep& step : plan.route.steps) {
+        const DrivenSwath swath = drivenSwath(step, plan.swaths);
+        swaths.push_back({.from = here(swath.from), .middle = here(swath.middle), .to = here(swath.to)});
+    }
+    return swaths;
+}
+
 }  // namespace
 
 PlanRequest draftOf(PlanRequest request, const Plan* before) {
     Settings& settings = request.settings;
     request.draft = true;
+    if (before != nullptr && before->request.machine == request.machine) {
+        request.earlier = swathsInOrder(*before, request.field->frame());
+    }
     if (swathMethod(settings).traits.searchesHeadings) {
         if (before != nullptr) {
             choose(settings, "swaths", kFixedHeadingMethod.info.id);

@@ -62,6 +62,7 @@ Result<RouteTask> taskInField(const OrderTask& task, const Decomposition& cells,
     const PlanRequest& request = task.request;
     RouteTask route = routeTask(request, task.laid.swaths, cells);
     route.isDraft = request.draft;
+    route.earlier = request.earlier;
     const auto room = waysRoom(task.rooms, request, task.ground, task.laid.mainland, job);
     if (!room) {
         return std::unexpected(room.error());

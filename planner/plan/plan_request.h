@@ -2,10 +2,12 @@
 
 #include "planner/field/field.h"
 #include "planner/machine/machine.h"
+#include "planner/route/driven_swath.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/guide_data.h"
 
 #include <memory>
+#include <vector>
 
 namespace furrow {
 
@@ -18,6 +20,8 @@ struct PlanRequest {
     std::shared_ptr<const GuideData> guides = {};
     /// Only to be looked at: the path is not audited. See draftOf.
     bool draft = false;
+    /// For a draft: the swaths of the last plan in the order in which they were driven.
+    std::vector<DrivenSwath> earlier = {};
 };
 
 /// Field, machine and guides are the same.

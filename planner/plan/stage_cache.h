@@ -34,6 +34,7 @@ struct OrderInputs {
     std::shared_ptr<const Ground> ground;
     std::shared_ptr<const LaidSwaths> laid;
     bool draft = false;
+    std::vector<DrivenSwath> earlier = {};
 
     friend bool operator==(const OrderInputs&, const OrderInputs&) = default;
 };

@@ -1,4 +1,5 @@
 #include "planner/route/cell_sequence.h"
+#include "planner/route/earlier_order.h"
 #include "planner/route/exact_order.h"
 #include "planner/route/given_steps.h"
 #include "planner/route/methods.h"
@@ -28,7 +29,8 @@ constexpr std::size_t kLeastRounds = 1'000;
 constexpr std::size_t kMostRounds = 4'000;
 // How often an order is searched anew after ways that do not fit were found along it.
 constexpr int kMostChecks = 6;
-// A draft of more swaths takes the best pattern: a search takes time with the square of their number.
+// A draft of more swaths takes the best pattern, or the order of the plan before: a search takes time with the
+// square of their number.
 constexpr std::size_t kMostSearchedInDraft = 150;
 
 /// Patterns that are easier to follow come first.
@@ -211,6 +213,9 @@ Result<Route> optimised(const RouteTask& task, const JobContext& job) {
     auto starts = patternOrders(task, costs, job.withoutProgress());
     if (!starts) {
         return std::unexpected(starts.error());
+    }
+    if (EndOrder earlier = orderAsBefore(task.swaths, task.earlier); !earlier.empty()) {
+        starts->push_back(std::move(earlier));
     }
     if (!locked->empty()) {
         starts->push_back(lockedTogether(starts->front(), endOrder(*locked)));

@@ -78,6 +78,16 @@ Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths) {
     return line;
 }
 
+DrivenSwath drivenSwath(const RouteStep& step, const SwathSet& swaths) {
+    const Swath& swath = swaths.swaths[step.swath];
+    const Point middle = swath.isCurved()
+                             ? partOf(swath.curve, Length{}, 0.5 * swath.curve.length()).end().position
+                             : 0.5 * (swath.start + swath.end);
+    return {.from = step.reversed ? swath.end : swath.start,
+            .middle = middle,
+            .to = step.reversed ? swath.start : swath.end};
+}
+
 Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                   TurnPlanner* turn) {
     return connection(vehicleEnd(from, swaths, machine), vehicleStart(to, swaths, machine), machine, turn);

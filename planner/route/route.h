@@ -4,6 +4,7 @@
 #include "planner/geometry/pose.h"
 #include "planner/jobs/job.h"
 #include "planner/machine/machine.h"
+#include "planner/route/driven_swath.h"
 #include "planner/settings/method.h"
 #include "planner/settings/settings.h"
 #include "planner/swaths/swath.h"
@@ -49,6 +50,9 @@ Pose vehicleEnd(const RouteStep& step, const SwathSet& swaths, const Machine& ma
 /// The swath in driving direction.
 Polyline drivenMiddle(const RouteStep& step, const SwathSet& swaths);
 
+/// The same by three of its points.
+DrivenSwath drivenSwath(const RouteStep& step, const SwathSet& swaths);
+
 /// The turn from the end of one step to the start of another, run-in included.
 Curve turnBetween(const RouteStep& from, const RouteStep& to, const SwathSet& swaths, const Machine& machine,
                   TurnPlanner* turn);
@@ -73,6 +77,8 @@ struct RouteTask {
     std::optional<Point> start = {};  ///< where the machine comes from
     std::optional<Point> end = {};    ///< where it goes to
     bool isDraft = false;             ///< a first route, at once
+    /// The order of a plan of the field as it was before a change, for a draft to go on from.
+    std::vector<DrivenSwath> earlier = {};
 };
 
 /// The common signature of all route methods: every swath exactly once. InputRefused: a custom order that

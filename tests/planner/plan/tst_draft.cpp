@@ -76,6 +76,25 @@ private slots:
         const PlanRequest draft = draftOf(request, whole->get());
         QVERIFY(!draft.settings.isSet(kHeadlandWidth));
     }
+    void theOrderOfManySwathsGoesOn() {
+        // 170 swaths. Of so many a draft by itself takes a pattern.
+        PlanRequest request{
+            .field = fieldOf({{0, 0}, {520, 0}, {500, 90}, {0, 60}}), .machine = agbot(), .settings = {}};
+        VERIFY_RESULT(applySetting(request.settings, "swaths.method", "fixed"));
+        VERIFY_RESULT(applySetting(request.settings, "swaths.angle_deg", "90"));
+        const auto whole = makePlan(request);
+        VERIFY_RESULT(whole);
+        QCOMPARE_GT((*whole)->route.steps.size(), std::size_t{150});
+        request.field = fieldOf({{0, 0}, {521, 0}, {500, 92}, {0, 60}});
+        const auto draft = makePlan(draftOf(request, whole->get()));
+        VERIFY_RESULT(draft);
+        const auto pattern = makePlan(draftOf(request, nullptr));
+        VERIFY_RESULT(pattern);
+        QCOMPARE((*draft)->route.steps.size(), (*whole)->route.steps.size());
+        QVERIFY((*draft)->route.steps == (*whole)->route.steps);
+        QVERIFY((*pattern)->route.steps != (*whole)->route.steps);
+        QCOMPARE_LT((*draft)->path.duration().si(), (*pattern)->path.duration().si());
+    }
     void withoutAPlanBeforeNoHeadingIsSearched() {
         const PlanRequest request{
             .field = fieldOf({{0, 0}, {400, 0}, {400, 100}, {0, 100}}), .machine = agbot(), .settings = {}};
