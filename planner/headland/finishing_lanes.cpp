@@ -299,6 +299,11 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
                                                                               : std::optional{candidate};
 }
 
+std::optional<Curve> FinishingLanes::otherWay(const FinishingPass& pass) const {
+    Curve line = lineOf({.from = pass.to, .to = pass.from}, task_.lowered.machine());
+    return isRefused(line) || !isClear(line) ? std::nullopt : std::optional{std::move(line)};
+}
+
 std::vector<FinishingLane> FinishingLanes::free(const FinishingLane& lane) const {
     std::vector<FinishingLane> free;
     const Angle heading = radians(std::atan2(lane.along.y, lane.along.x));

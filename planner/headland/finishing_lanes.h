@@ -89,6 +89,8 @@ public:
     double landBesideM2(const FinishingLane& lane, const LeftLand& left) const;
     /// The pass along a lane over the land still left beside it. Empty if it gains too little.
     std::optional<FinishingPass> passAlong(const FinishingLane& lane, const LeftLand& left) const;
+    /// The line of a pass in the other direction; empty where the machine has no room for it.
+    std::optional<Curve> otherWay(const FinishingPass& pass) const;
     /// The stretches of a lane on which the machine has room.
     std::vector<FinishingLane> free(const FinishingLane& lane) const;
 

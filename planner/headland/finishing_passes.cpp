@@ -20,9 +20,9 @@ Point halfWay(const Curve& line) {
     return partOf(line, {}, 0.5 * line.length()).end().position;
 }
 
-/// The chosen passes as lines of the vehicle's reference point, and the land that they leave.
+/// The chosen passes, and the land that they leave.
 struct Chosen {
-    std::vector<Curve> passes;
+    std::vector<PassStretch> passes;
     LeftLand left;
 };
 
@@ -83,7 +83,8 @@ Result<void> chooseBest(std::vector<FinishingLane> lanes, const FinishingLanes& 
         }
         // Once enough is worked in total, only a pass that makes a large piece smaller is useful.
         if (isTooMuchInAll(task, chosen.left) || after->largest < chosen.left.largest()) {
-            chosen.passes.push_back(lineOf(*found, task.lowered.machine()));
+            chosen.passes.push_back(
+                {.line = lineOf(*found, task.lowered.machine()), .otherWay = finder.otherWay(*found)});
             chosen.left.take(*std::move(after));
             putBack(lane);
         }
@@ -124,7 +125,7 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
         if ((chosen.left.inAll() - after->inAll).si() < finder.leastGainM2()) {
             continue;
         }
-        chosen.passes.push_back(std::move(pass->line));
+        chosen.passes.push_back({.line = std::move(pass->line)});
         chosen.left.take(*std::move(after));
         chosen.left.sortLargestFirst();
         --givenUp;
@@ -163,12 +164,12 @@ Result<std::vector<HeadlandPass>> finishingPasses(const FinishingTask& task, con
         }
     }
     std::vector<HeadlandPass> passes;
-    for (Curve& line : chosen.passes) {
-        const double fromEdgeM = edges.insideM(halfWay(line)).value_or(0.0);
+    for (PassStretch& stretch : chosen.passes) {
+        const double fromEdgeM = edges.insideM(halfWay(stretch.line)).value_or(0.0);
         passes.push_back({.ring = static_cast<int>(fromEdgeM / finder.widthM()),
                           .width = machine.operatingWidth(),
                           .closed = false,
-                          .stretches = {{.line = std::move(line)}}});
+                          .stretches = {std::move(stretch)}});
     }
     return passes;
 }

@@ -11,6 +11,7 @@
 #include "planner/turns/turn_method.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -19,6 +20,8 @@ namespace furrow {
 struct PassStretch {
     Curve line;  ///< of the vehicle's reference point
     bool working = true;
+    /// Of a short pass: the line of the same work in the other direction, where the machine has room for it.
+    std::optional<Curve> otherWay = {};
 };
 
 /// One ring of the headland, or a part of one.

@@ -26,15 +26,10 @@ struct HeadlandDrive {
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn);
 
-/// The best leg to drive a pass before: with a short detour, and with ways there and on that are quickly
-/// found.
-struct PassPlace {
-    PassAccess access = PassAccess::NoWayIn;
-    std::size_t before = 0;  ///< valid if there are ways
-};
+/// Whether a pass may be driven between two of the legs near it. Looks for ways that are quickly found.
 /// @param ends  of the legs, by endsOf
-PassPlace placeFor(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
-                   RememberedWays& ways, const JobContext& job);
+PassAccess accessTo(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
+                    RememberedWays& ways, const JobContext& job);
 
 /// The poses at which the legs end. Those of long lines take time, and are asked for again and again.
 std::vector<Pose> endsOf(const std::vector<Leg>& legs);
@@ -45,8 +40,10 @@ struct FinishedLegs {
     std::vector<HeadlandPass> refused;  ///< no way in or out was found
 };
 
-/// The same legs with short passes in between, each where the ways there and on are short and quickly found.
+/// The same legs with short passes in between, each where it adds least time of the places near it, and in
+/// the direction that does, with ways that are quickly found. When all are placed, each is placed once more
+/// among the others.
 FinishedLegs withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
-                                 RememberedWays& ways, const JobContext& job);
+                                 RememberedWays& ways, const Machine& machine, const JobContext& job);
 
 }  // namespace furrow

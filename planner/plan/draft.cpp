@@ -40,7 +40,9 @@ std::vector<DrivenSwath> swathsInOrder(const Plan& plan, const LocalFrame& frame
 PlanRequest draftOf(PlanRequest request, const Plan* before) {
     Settings& settings = request.settings;
     request.draft = true;
-    if (before != nullptr && before->request.machine == request.machine) {
+    const bool onlyFieldChanged = before != nullptr && before->request.machine == request.machine &&
+                                  before->request.settings == request.settings;
+    if (onlyFieldChanged) {
         request.earlier = swathsInOrder(*before, request.field->frame());
     }
     if (swathMethod(settings).traits.searchesHeadings) {

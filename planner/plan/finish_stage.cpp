@@ -71,13 +71,13 @@ bool mayFinish(const DriveTask& task) {
     return settings.flag(kHeadlandFinish) && (turnsAtEnds || !headland.drivenPasses.empty());
 }
 
-/// The place for a pass, between raised ways if there are such.
-PassPlace placeBetween(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
-                       RememberedWays& ways, FoldingWays* folding, const JobContext& job) {
-    const PassPlace place = placeFor(line, legs, ends, ways, job);
-    return folding == nullptr || place.access == PassAccess::There
-               ? place
-               : placeFor(line, legs, ends, folding->either, job);
+/// Whether ways lead to a pass and on, raised ones if there are such.
+PassAccess accessByAnyWay(const Curve& line, const std::vector<Leg>& legs, const std::vector<Pose>& ends,
+                          RememberedWays& ways, FoldingWays* folding, const JobContext& job) {
+    const PassAccess access = accessTo(line, legs, ends, ways, job);
+    return folding == nullptr || access == PassAccess::There
+               ? access
+               : accessTo(line, legs, ends, folding->either, job);
 }
 
 /// Passes on full lock, for machines that cannot reverse.
@@ -94,7 +94,7 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
     return FullLockPasses::of(
                ground, lowered,
                [&legs, &ends, &ways, folding, job](const Curve& line) {
-                   return placeBetween(line, legs, ends, ways, folding, job).access;
+                   return accessByAnyWay(line, legs, ends, ways, folding, job);
                },
                job, trials)
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
@@ -112,9 +112,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     if (toBeat && !mayBeatFinished(*toBeat, task.request.machine, driven)) {
         return std::unexpected(noBetter(*task.request.field));
     }
-    const auto timeOf = [&](const Driven& one) {
-        return timeForAll(task.request.machine, one.path, one.audit);
-    };
+    const Machine& machine = task.request.machine;
+    const auto timeOf = [&](const Driven& one) { return timeForAll(machine, one.path, one.audit); };
     const Duration before = timeOf(driven);
     const Area left = driven.audit.left;
     const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
@@ -150,10 +149,10 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         if (!passes) {
             return std::unexpected(passes.error());
         }
-        FinishedLegs more = withFinishingPasses(legs, *passes, ways, part);
+        FinishedLegs more = withFinishingPasses(legs, *passes, ways, machine, part);
         if (folding != nullptr && !more.refused.empty()) {
             FinishedLegs folded =
-                withFinishingPasses(std::move(more.legs), more.refused, folding->either, part);
+                withFinishingPasses(std::move(more.legs), more.refused, folding->either, machine, part);
             more.legs = std::move(folded.legs);
             more.refused = std::move(folded.refused);
             std::ranges::move(folded.put, std::back_inserter(more.put));

@@ -17,6 +17,10 @@ namespace furrow {
 
 namespace {
 
+/// Sine of the angle between a swath and the earlier one at its place. Swaths that were turned by more have
+/// another order.
+constexpr double kMostTurned = 0.35;
+
 /// A swath at the place of an earlier one.
 struct Followed {
     std::size_t step = 0;   ///< of the earlier order
@@ -83,6 +87,10 @@ EndOrder orderAsBefore(const SwathSet& swaths, std::span<const DrivenSwath> earl
         const auto nearest = std::ranges::min_element(
             earlier, {}, [&](const DrivenSwath& swath) { return distanceTo(swath, middle); });
         const Point along = nearest->to - nearest->from;
+        if (std::abs(cross(along, now.to - now.from)) >
+            kMostTurned * norm(along) * distance(now.from, now.to)) {
+            return {};
+        }
         places.push_back({.step = static_cast<std::size_t>(nearest - earlier.begin()),
                           .alongM = dot(along, middle - nearest->from) / std::max(norm(along), 1.0),
                           .asideM = distanceTo(*nearest, middle),

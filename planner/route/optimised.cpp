@@ -29,8 +29,7 @@ constexpr std::size_t kLeastRounds = 1'000;
 constexpr std::size_t kMostRounds = 4'000;
 // How often an order is searched anew after ways that do not fit were found along it.
 constexpr int kMostChecks = 6;
-// A draft of more swaths takes the best pattern, or the order of the plan before: a search takes time with the
-// square of their number.
+// A draft of more swaths takes the best pattern: a search takes time with the square of their number.
 constexpr std::size_t kMostSearchedInDraft = 150;
 
 /// Patterns that are easier to follow come first.
@@ -196,6 +195,12 @@ const Parameter* brokenSetting(const EndOrder& order, const RouteTask& task, con
                                                    : &kFirstSwath;
 }
 
+Route routeOf(const EndOrder& order, const SwathSet& swaths) {
+    Route route{.steps = stepsOf(order), .lengthInPlace = {}};
+    route.lengthInPlace = lengthInPlace(route.steps, swaths);
+    return route;
+}
+
 Result<Route> optimised(const RouteTask& task, const JobContext& job) {
     const auto locked = givenSteps(task.settings, kLocked, task.swaths.swaths.size());
     if (!locked) {
@@ -210,12 +215,15 @@ Result<Route> optimised(const RouteTask& task, const JobContext& job) {
     }
     const OpenStripLimit* const limit = strips ? &*strips : nullptr;
     RouteCosts costs{task};
+    // That order was the quickest with ways that fit into the field, which drafts do not search. It is not
+    // improved by others.
+    const EndOrder earlier = orderAsBefore(task.swaths, task.earlier);
+    if (!earlier.empty() && brokenSetting(earlier, task, costs, limit) == nullptr) {
+        return routeOf(earlier, task.swaths);
+    }
     auto starts = patternOrders(task, costs, job.withoutProgress());
     if (!starts) {
         return std::unexpected(starts.error());
-    }
-    if (EndOrder earlier = orderAsBefore(task.swaths, task.earlier); !earlier.empty()) {
-        starts->push_back(std::move(earlier));
     }
     if (!locked->empty()) {
         starts->push_back(lockedTogether(starts->front(), endOrder(*locked)));
@@ -234,9 +242,7 @@ Result<Route> optimised(const RouteTask& task, const JobContext& job) {
             refused(*broken, "no order was found that keeps to all that is said of the order of swaths",
                     "allow more open strips, or lock fewer swaths"));
     }
-    Route route{.steps = stepsOf(order), .lengthInPlace = {}};
-    route.lengthInPlace = lengthInPlace(route.steps, task.swaths);
-    return route;
+    return routeOf(order, task.swaths);
 }
 
 constexpr const Parameter* kParameters[] = {&kRouteObjective, &kFirstSwath, &kLastSwath,

@@ -97,6 +97,21 @@ private slots:
         }
         QVERIFY(orderAsBefore(set, driven(tracks(5), kSkips)) == kSkips);
     }
+    void swathsThatWereTurnedHaveAnotherOrder() {
+        SwathSet set = tracks(5);
+        for (const auto& [degreesTurned, isKept] : {std::pair{15.0, true}, {30.0, false}, {90.0, false}}) {
+            const double rad = degreesTurned * std::numbers::pi / 180.0;
+            SwathSet turned = set;
+            turned.heading = turned.heading + radians(rad);
+            for (Swath& swath : turned.swaths) {
+                const Point half = 50.0 * direction(turned.heading.si());
+                const Point middle{swath.start.x, 50.0};
+                swath.start = middle - half;
+                swath.end = middle + half;
+            }
+            QCOMPARE(!orderAsBefore(turned, driven(set, kSkips)).empty(), isKept);
+        }
+    }
     void withoutAnEarlierOrderThereIsNone() {
         QVERIFY(orderAsBefore(tracks(5), {}).empty());
         QVERIFY(orderAsBefore(setOf({}), driven(tracks(5), kSkips)).empty());
