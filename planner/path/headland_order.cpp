@@ -24,7 +24,10 @@ constexpr std::size_t kMostStarts = 400;
 // If none of these places allows a way, no other place does.
 constexpr std::size_t kMostChecked = 150;
 constexpr std::size_t kMostPlacesTried = 5;
+// Places of a short pass whose time is estimated in free space, in each direction, and those of them for
+// which ways are searched.
 constexpr std::size_t kMostPlacesEstimated = 12;
+constexpr std::size_t kMostPlacesSearched = 3;
 // Where no way leads to so many short passes, none is searched to the others: each takes some tenths of a
 // second.
 constexpr std::size_t kMostRefused = 25;
@@ -269,12 +272,7 @@ std::vector<std::size_t> gapsBeside(const Pose& start, const Pose& end, const st
 class PassPlacing {
 public:
     PassPlacing(std::vector<Leg> legs, RememberedWays& ways, const Machine& machine, const JobContext& job)
-        : legs_{std::move(legs)},
-          ends_{endsOf(legs_)},
-          passOf_(legs_.size()),
-          ways_{ways},
-          machine_{machine},
-          job_{job} {}
+        : legs_{std::move(legs)}, ends_{endsOf(legs_)}, ways_{ways}, machine_{machine}, job_{job} {}
 
     /// False where no way leads to it or on from it.
     bool add(const HeadlandPass& pass) {
@@ -282,22 +280,8 @@ public:
         if (!place) {
             return false;
         }
-        passes_.push_back(pass);
-        put(passes_.size() - 1, *place);
+        put(pass, *place);
         return true;
-    }
-
-    /// Each pass once more, now that the others have their places.
-    void improve() {
-        for (std::size_t pass = 0; pass < passes_.size() && !job_.stopRequested(); ++pass) {
-            const auto at = std::ranges::find(passOf_, std::optional{pass}) - passOf_.begin();
-            const auto before = static_cast<std::size_t>(at);
-            const Place had{.before = before, .line = legs_[before].line};
-            legs_.erase(legs_.begin() + at);
-            ends_.erase(ends_.begin() + at);
-            passOf_.erase(passOf_.begin() + at);
-            put(pass, quickestPlace(passes_[pass].stretches.front()).value_or(had));
-        }
     }
 
     const std::vector<HeadlandPass>& passes() const { return passes_; }
@@ -309,15 +293,15 @@ private:
         Curve line;
     };
 
-    void put(std::size_t pass, const Place& place) {
-        PassStretch& stretch = passes_[pass].stretches.front();
+    void put(HeadlandPass pass, const Place& place) {
+        PassStretch& stretch = pass.stretches.front();
         if (stretch.line != place.line) {
             stretch.otherWay = std::exchange(stretch.line, place.line);
         }
         const auto before = static_cast<std::ptrdiff_t>(place.before);
-        legs_.insert(legs_.begin() + before, legOf(passes_[pass], stretch));
+        legs_.insert(legs_.begin() + before, legOf(pass, stretch));
         ends_.insert(ends_.begin() + before, place.line.end());
-        passOf_.insert(passOf_.begin() + before, pass);
+        passes_.push_back(std::move(pass));
     }
 
     /// Of the gaps near it and both directions, by the time that it adds. In free space ways are no slower,
@@ -350,7 +334,8 @@ private:
         Duration least;
         std::size_t tried = 0;
         for (const Option& option : options) {
-            if ((quickest && option.atLeast >= least) || tried == kMostPlacesTried || job_.stopRequested()) {
+            if ((quickest && option.atLeast >= least) || tried == kMostPlacesSearched ||
+                job_.stopRequested()) {
                 break;
             }
             ++tried;
@@ -394,7 +379,6 @@ private:
 
     std::vector<Leg> legs_;
     std::vector<Pose> ends_;
-    std::vector<std::optional<std::size_t>> passOf_;  ///< of each leg
     std::vector<HeadlandPass> passes_;
     RememberedWays& ways_;
     const Machine& machine_;
@@ -480,7 +464,6 @@ FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<Headl
             finished.refused.push_back(pass);
         }
     }
-    placing.improve();
     finished.put = placing.passes();
     finished.legs = std::move(placing).legs();
     return finished;
