@@ -251,9 +251,11 @@ private slots:
     // The figures of the set, against the audit's of what is driven: what is missed lies beside the pole.
     void coverageIsMeasuredWithTheBend() {
         const auto field = squareWith({{{5.0, 2.0}}});
-        const auto plan =
-            planOf(field, "cultivator", {{"swaths.ends", "centre"}, {"headland.finish", "false"}});
-        const auto plain = planOf(squareWith({}), "cultivator", {{"swaths.ends", "centre"}});
+        // Neither with short passes, which work what the corners leave.
+        const std::initializer_list<std::pair<std::string_view, std::string>> given{
+            {"swaths.ends", "centre"}, {"headland.finish", "false"}};
+        const auto plan = planOf(field, "cultivator", given);
+        const auto plain = planOf(squareWith({}), "cultivator", given);
         COMPARE_WITHIN(plain->swaths.coverage, 1.0, 1e-6);
         const double missedM2 = (1.0 - plan->swaths.coverage) * area(plan->headland.mainland).si();
         const double auditedM2 = (plan->audit.left - plain->audit.left).si();
