@@ -137,8 +137,8 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
     if (!laid) {
         return std::unexpected(laid.error());
     }
-    auto ordered =
-        cache_.orders.get(request, {ground, laid->laid, request.draft, request.earlier}, [&](const PlanRequest& asking) {
+    auto ordered = cache_.orders.get(
+        request, {ground, laid->laid, request.draft, request.earlier}, [&](const PlanRequest& asking) {
             const OrderTask task{
                 .request = asking, .ground = ground, .laid = *laid->laid, .rooms = cache_.rooms};
             return timed(&StageTimings::route, [&] { return orderStage(task, job.part(0.2, 0.4)); });
