@@ -295,9 +295,8 @@ private:
 
     void put(HeadlandPass pass, const Place& place) {
         PassStretch& stretch = pass.stretches.front();
-        if (stretch.line != place.line) {
-            stretch.otherWay = std::exchange(stretch.line, place.line);
-        }
+        stretch.line = place.line;
+        stretch.otherWay.reset();
         const auto before = static_cast<std::ptrdiff_t>(place.before);
         legs_.insert(legs_.begin() + before, legOf(pass, stretch));
         ends_.insert(ends_.begin() + before, place.line.end());
