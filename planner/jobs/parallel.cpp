@@ -1,5 +1,7 @@
 #include "planner/jobs/parallel.h"
 
+#include "planner/jobs/wide_registers.h"
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -31,6 +33,7 @@ Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t
         }
     };
     if (job.threads == 1) {
+        clearWideRegisters();
         for (std::size_t i = 0; i < count && !job.stopRequested(); ++i) {
             runOne(i);
         }
@@ -43,6 +46,7 @@ Result<void> parallelFor(std::size_t count, const std::function<void(std::size_t
             tbb::parallel_for(
                 tbb::blocked_range<std::size_t>{0, count},
                 [&](const tbb::blocked_range<std::size_t>& range) {
+                    clearWideRegisters();
                     for (std::size_t i = range.begin(); i != range.end() && !job.stopRequested(); ++i) {
                         runOne(i);
                     }

@@ -1,5 +1,7 @@
 #include "ui/jobs/job_runner.h"
 
+#include "planner/jobs/wide_registers.h"
+
 #include <QSignalBlocker>
 
 #include <malloc.h>
@@ -105,6 +107,7 @@ void JobRunner::run(const std::stop_token& stop) {
             stopSource_ = {};
             jobStop = stopSource_.get_token();
         }
+        clearWideRegisters();
         progress_.store(0.0, std::memory_order_relaxed);
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);

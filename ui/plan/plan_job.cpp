@@ -1,5 +1,6 @@
 #include "ui/plan/plan_job.h"
 
+#include "planner/jobs/wide_registers.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/draft.h"
 #include "planner/project/field_tasks.h"
@@ -69,6 +70,7 @@ public:
         : thread_{[this, &task, request = draftOf(request, task.before.get()), &handOvers, after,
                    &cache](const std::stop_token& stop) {
               giveWayToTheWindow();
+              clearWideRegisters();
               if (isStopped(stop, after)) {
                   return;
               }

@@ -1,5 +1,6 @@
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "tests/support/upper_halves.h"
 #include "ui/jobs/job_runner.h"
 
 #include <QSignalSpy>
@@ -128,6 +129,25 @@ private slots:
         release = true;
         QTRY_VERIFY(!runner.isSlow());
         QVERIFY(!runner.isBusy());
+    }
+    /// Whatever the piece before, or the thread that made this one, left in them.
+    void worksWithClearRegisters() {
+        if (!test::canTellUpperHalves()) {
+            QSKIP("the processor does not tell what of its registers is in use");
+        }
+        JobRunner runner;
+        std::atomic<int> inUse = 0;
+        int done = 0;
+        const auto work = [&](const JobContext&) -> JobRunner::Delivery {
+            inUse += test::areUpperHalvesInUse() ? 1 : 0;
+            test::useUpperHalves();
+            return [&done] { ++done; };
+        };
+        for (int i = 1; i <= 3; ++i) {
+            runner.submit(work);
+            QTRY_COMPARE(done, i);
+        }
+        QCOMPARE(inUse.load(), 0);
     }
     void endsWhileSomethingRuns() {
         std::atomic<bool> release = false;
