@@ -16,7 +16,8 @@ namespace furrow {
 namespace {
 /// What takes longer shows its progress.
 constexpr int kSlowMs = 100;
-constexpr int kTickMs = 50;
+/// Without a graphics card each frame takes time from the work whose progress it shows.
+constexpr int kTickMs = 200;
 }  // namespace
 
 void giveWayToTheWindow() {
@@ -32,8 +33,8 @@ void returnFreeMemory() {
 }
 
 JobRunner::JobRunner(QObject* parent) : QObject{parent} {
-    tick_.setInterval(kTickMs);
     connect(&tick_, &QTimer::timeout, this, [this] {
+        tick_.setInterval(kTickMs);
         if (since_.elapsed() >= kSlowMs) {
             setSlow(true);
         }
@@ -137,7 +138,7 @@ void JobRunner::run(const std::stop_token& stop) {
 void JobRunner::setBusy(bool busy) {
     if (busy && !busy_) {
         since_.start();
-        tick_.start();
+        tick_.start(kSlowMs);
     }
     if (!busy) {
         const std::scoped_lock lock{mutex_};

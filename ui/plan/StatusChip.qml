@@ -60,10 +60,6 @@ Rectangle {
                 height: 5
                 radius: 2.5
                 color: Theme.accent
-
-                Behavior on width {
-                    NumberAnimation { duration: 80 }
-                }
             }
         }
         SmallButton {
