@@ -61,15 +61,15 @@ QtObject {
     signal imageryRequested()
     signal tileFolderRequested()
 
-    readonly property string fileGroup: qsTr("File")
-    readonly property string editGroup: qsTr("Edit")
-    readonly property string fieldGroup: qsTr("Field")
-    readonly property string planGroup: qsTr("Plan")
-    readonly property string viewGroup: qsTr("View")
-    readonly property string helpGroup: qsTr("Help")
-    readonly property string layersMenu: qsTr("What the map shows")
-    readonly property string coloursMenu: qsTr("Colours")
-    readonly property string sizeMenu: qsTr("Size of everything")
+    readonly property CommandGroup fileGroup: CommandGroup { title: qsTr("File") }
+    readonly property CommandGroup editGroup: CommandGroup { title: qsTr("Edit") }
+    readonly property CommandGroup fieldGroup: CommandGroup { title: qsTr("Field") }
+    readonly property CommandGroup planGroup: CommandGroup { title: qsTr("Plan") }
+    readonly property CommandGroup viewGroup: CommandGroup { title: qsTr("View") }
+    readonly property CommandGroup helpGroup: CommandGroup { title: qsTr("Help") }
+    readonly property CommandGroup layersMenu: CommandGroup { title: qsTr("What the map shows") }
+    readonly property CommandGroup coloursMenu: CommandGroup { title: qsTr("Colours") }
+    readonly property CommandGroup sizeMenu: CommandGroup { title: qsTr("Size of everything") }
 
     component LayerCommand: Command {
         required property string layer
@@ -658,7 +658,7 @@ QtObject {
         }
     ]
 
-    function inGroup(group: string): var {
+    function inGroup(group: CommandGroup): var {
         return root.all.filter(command => command.group === group);
     }
     function named(name: string): Command {

@@ -17,7 +17,7 @@ T.Popup {
     signal entryChosen(entry: var)
     /// As many as there is room for.
     readonly property int rows: Math.max(2, Math.min(9, Math.floor(((parent ? parent.height : 600) - y - 56 - 12 - 16) / 36)))
-    readonly property var found: root.matching(field.text)
+    readonly property var found: visible ? root.matching(field.text) : []
     /// Where the pointer was seen last since it was opened.
     property var pointer: undefined
     /// What to type, until it is closed; empty for the usual words.
@@ -109,6 +109,7 @@ T.Popup {
                 required property var modelData
                 readonly property bool runs: modelData.enabled ?? true
                 readonly property string name: modelData.text ?? modelData.name
+                readonly property string groupTitle: root.groupOf(modelData)
 
                 objectName: "palette.row." + index
                 width: list.width
@@ -116,7 +117,7 @@ T.Popup {
                 highlighted: ListView.isCurrentItem
                 text: name
                 opacity: runs ? 1 : 0.45
-                Accessible.name: qsTr("%1: %2").arg(modelData.group).arg(name)
+                Accessible.name: qsTr("%1: %2").arg(groupTitle).arg(name)
                 onClicked: root.run(index)
                 HoverHandler {
                     // A row that comes to lie under a pointer at rest is not chosen by that.
@@ -144,7 +145,7 @@ T.Popup {
                         id: keys
 
                         anchors { right: parent.right; rightMargin: 12; verticalCenter: parent.verticalCenter }
-                        text: row.modelData.keysText ? row.modelData.keysText : row.modelData.group
+                        text: row.modelData.keysText ? row.modelData.keysText : row.groupTitle
                     }
                 }
             }
@@ -157,12 +158,16 @@ T.Popup {
         }
     }
 
+    /// In words.
+    function groupOf(one: var): string {
+        return one instanceof Command ? one.group.title : one.group;
+    }
     function matching(text: string): var {
         if (text.length === 0 && root.hint.length > 0)
             return [];
         const words = text.toLowerCase().split(/\s+/).filter(word => word.length > 0);
         const all = words.length > 0 ? [...root.commands, ...root.entries] : [...root.commands];
-        const about = one => (one.name + " " + one.group + " " + one.keywords).toLowerCase();
+        const about = one => (one.name + " " + root.groupOf(one) + " " + one.keywords).toLowerCase();
         const fits = all.filter(one => words.every(word => about(one).includes(word)));
         // Commands come before settings, what can be run before the rest; then those whose name begins so.
         const nameRank = name => words.length === 0 || name.startsWith(words[0]) ? 0 : words.every(word => name.includes(word)) ? 1 : 2;

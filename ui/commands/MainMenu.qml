@@ -26,7 +26,7 @@ T.MenuBar {
         }
         return taken;
     }
-    readonly property list<string> titles: [commands.fileGroup, commands.editGroup, commands.fieldGroup, commands.planGroup, commands.viewGroup, commands.helpGroup]
+    readonly property list<string> titles: [commands.fileGroup, commands.editGroup, commands.fieldGroup, commands.planGroup, commands.viewGroup, commands.helpGroup].map(group => group.title)
 
     component Entries: ThemedMenu {
         id: menu
@@ -46,18 +46,18 @@ T.MenuBar {
         }
     }
     component Group: Entries {
-        required property string group
+        required property CommandGroup group
 
-        objectName: "menu." + group
-        title: root.marked(group)
-        entries: root.commands.inGroup(group).filter(command => command.submenu.length === 0)
+        objectName: "menu." + group.title
+        title: root.marked(group.title)
+        entries: root.commands.inGroup(group).filter(command => command.submenu === null)
     }
     component Submenu: Entries {
-        required property string name
+        required property CommandGroup group
 
-        objectName: "menu." + name
-        title: name
-        entries: root.commands.all.filter(command => command.submenu === name)
+        objectName: "menu." + group.title
+        title: group.title
+        entries: root.commands.all.filter(command => command.submenu === group)
     }
 
     background: Rectangle {
@@ -101,9 +101,9 @@ T.MenuBar {
     Group {
         group: root.commands.viewGroup
 
-        Submenu { name: root.commands.layersMenu }
-        Submenu { name: root.commands.coloursMenu }
-        Submenu { name: root.commands.sizeMenu }
+        Submenu { group: root.commands.layersMenu }
+        Submenu { group: root.commands.coloursMenu }
+        Submenu { group: root.commands.sizeMenu }
     }
     Group { group: root.commands.helpGroup }
 

@@ -2,10 +2,10 @@ import QtQuick.Templates as T
 
 /// Something that can be done, once for menus, keys, buttons and the command palette.
 T.Action {
-    /// The menu that it stands in, in words.
-    required property string group
-    /// In this menu of that menu; empty for none.
-    property string submenu: ""
+    /// The menu that it stands in.
+    required property CommandGroup group
+    /// In this menu of that menu.
+    property CommandGroup submenu: null
     /// What it is called wherever that says nothing of the moment.
     property string name: text
     /// Found by these words, too.

@@ -3,6 +3,7 @@
 #include "tests/ui/window/window_test.h"
 #include "ui/text/display.h"
 
+#include <QPointer>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
@@ -304,6 +305,18 @@ private slots:
         QTRY_COMPARE(steps().value(2), QStringLiteral("Fourrière"));
         choose(QStringLiteral("preferences.language"), 1);
         QTRY_COMPARE(steps().value(2), QStringLiteral("Headland"));
+    }
+
+    /// Made anew for each title that changed, they held up the window for seconds.
+    void menusStayWhileTheirTextsFollow() {
+        begin();
+        const QPointer<QObject> entry = window_->findChild<QObject*>(QStringLiteral("command.about.item"));
+        QVERIFY(entry != nullptr);
+        QCOMPARE(entry->property("text").toString(), QStringLiteral("About Furrow"));
+        choose(QStringLiteral("preferences.language"), 2);
+        QVERIFY(item(QStringLiteral("bar.Datei")) != nullptr);
+        QVERIFY(entry != nullptr);
+        QTRY_COMPARE(entry->property("text").toString(), QStringLiteral("Über Furrow"));
     }
 
     void whatIsWrongWithImageryFollows() {
