@@ -11,6 +11,7 @@
 #include <QQmlApplicationEngine>
 #include <QQuickItem>
 #include <QQuickWindow>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
@@ -66,15 +67,23 @@ protected:
     QPoint middleOf(const QQuickItem& of) const {
         return of.mapToScene({of.width() / 2.0, of.height() / 2.0}).toPoint();
     }
+    /// The next frame is about to be drawn; all that moves has moved on.
+    void nextFrame() const {
+        bool moved = false;
+        const auto once =
+            QObject::connect(window_, &QQuickWindow::afterAnimating, window_, [&moved] { moved = true; });
+        const auto disconnected = qScopeGuard([&once] { QObject::disconnect(once); });
+        window_->update();
+        QVERIFY(QTest::qWaitFor([&moved] { return moved; }, kPatienceMs));
+    }
     /// Steps open and close in motion: a click must not go where the item was.
     void waitForRest(const QQuickItem& moving) const {
-        QPoint last{-1, -1};
-        int still = 0;
-        const auto isStill = [&] {
-            still = std::exchange(last, middleOf(moving)) == middleOf(moving) ? still + 1 : 0;
-            return still >= 4;
-        };
-        QTRY_VERIFY(isStill());
+        constexpr int kFramesAtRest = 4;
+        for (int atRest = 0; atRest < kFramesAtRest;) {
+            const QPoint before = middleOf(moving);
+            nextFrame();
+            atRest = middleOf(moving) == before ? atRest + 1 : 0;
+        }
     }
     /// Scrolls as the item's user would. False as long as it cannot be seen, or is in a step that opens: what
     /// that holds is in its place before there is room to scroll to it, and the step is scrolled to at last.
