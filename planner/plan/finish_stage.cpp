@@ -5,7 +5,7 @@
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/blocking.h"
-#include "planner/path/headland_order.h"
+#include "planner/path/pass_placing.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/stopwatch.h"
 #include "planner/plan/swath_stage.h"

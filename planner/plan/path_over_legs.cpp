@@ -1,7 +1,6 @@
 #include "planner/plan/path_over_legs.h"
 
 #include "planner/geometry/tolerances.h"
-#include "planner/path/headland_order.h"
 #include "planner/path/speed_profile.h"
 #include "planner/path/way_repair.h"
 #include "planner/plan/audit_input.h"

@@ -1,7 +1,7 @@
 // Where short passes come between other legs, and in which direction. Places are worked out by hand from the
 // headings with which the machine leaves and arrives: what goes on straight is quicker than what turns round.
 
-#include "planner/path/headland_order.h"
+#include "planner/path/pass_placing.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
 #include "tests/support/stages.h"
