@@ -37,6 +37,11 @@ bool drivesInsideOut(const Settings& settings) {
     return settings.choice(kHeadlandOrder) == "inside-out";
 }
 
+std::string plannedCorner(const Settings& settings) {
+    std::string corner = settings.choice(kHeadlandCorner);
+    return corner == kQuickestCorner ? std::string{kRoundedCorner} : corner;
+}
+
 bool drivesHeadlandFirst(const Settings& settings) {
     return settings.choice(kHeadlandWhen) == "before";
 }

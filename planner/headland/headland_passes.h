@@ -2,6 +2,9 @@
 
 #include "planner/headland/headland.h"
 
+#include <string>
+#include <string_view>
+
 namespace furrow {
 
 extern const Parameter kHeadlandDriven;
@@ -18,6 +21,8 @@ inline constexpr std::string_view kQuickestCorner = "quickest";
 inline constexpr std::string_view kRoundedCorner = "rounded";
 inline constexpr std::string_view kLoopCorner = "loop";
 inline constexpr std::string_view kReverseCorner = "reverse";
+/// The kind of corner that one plan is made with.
+std::string plannedCorner(const Settings& settings);
 
 /// Adds the drivable passes to a headland with known width and number of passes. Adds none if the strip is
 /// only for turning. The outermost pass runs half a footprint from the boundary. Each pass inside it is one

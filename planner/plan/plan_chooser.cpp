@@ -90,12 +90,6 @@ std::optional<BestSoFar> with(const BestSoFar& best, std::optional<PlannedStages
     });
 }
 
-/// The kind of corner of a plan. The quickest of them is the first that is planned.
-std::string cornerOf(const PlannedStages& plan) {
-    std::string corner = plan.request.settings.choice(kHeadlandCorner);
-    return corner == kQuickestCorner ? std::string{kRoundedCorner} : corner;
-}
-
 /// Without a reverse gear the third kind is the second one.
 std::vector<std::string_view> cornerKinds(const Machine& machine) {
     std::vector<std::string_view> kinds{kRoundedCorner, kLoopCorner};
@@ -216,7 +210,7 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
         best.plan.laidOut.headland->drivenPasses.empty()) {
         return {};
     }
-    const std::string taken = cornerOf(best.plan);
+    const std::string taken = plannedCorner(best.plan.request.settings);
     note(best.instead, kHeadlandCorner, taken);
     if (lastingCount(best.plan.driven->findings) > 0 || leavesMuch(best.plan) ||
         isTooLargeToCompare(best.plan)) {
@@ -324,7 +318,7 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
         request.settings.set(kHeadlandCorner, corner).value();
     }
     auto plan = nearPlan(best, request, kNearInHeading, nullptr, job.part(0.0, kItself));
-    if (plan && !*plan && isByTime && cornerOf(best.plan) != kRoundedCorner) {
+    if (plan && !*plan && isByTime && plannedCorner(best.plan.request.settings) != kRoundedCorner) {
         // Corners that are driven into may block with this change.
         request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
         expect(1);

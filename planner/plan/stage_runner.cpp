@@ -2,6 +2,7 @@
 
 #include "planner/field/small_obstacles.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/headland_passes.h"
 #include "planner/path/blocking.h"
 #include "planner/plan/drive_stage.h"
 #include "planner/plan/general_parameters.h"
@@ -60,7 +61,10 @@ Result<std::shared_ptr<const Headland>> StageRunner::headland(const PlanRequest&
                                                               const std::vector<Ring>& filled,
                                                               const MultiPolygon& workable,
                                                               const JobContext& job) {
-    return cache_.headlands.get(request, {ground, filled}, [&](const PlanRequest& asking) {
+    // By its name the quickest kind of corner finds the headland that was made with the same.
+    PlanRequest named = request;
+    named.settings.set(kHeadlandCorner, plannedCorner(request.settings)).value();
+    return cache_.headlands.get(named, {ground, filled}, [&](const PlanRequest& asking) {
         const Settings& settings = asking.settings;
         return timed(&StageTimings::headland, [&] {
             return headlandMethod(settings).run(

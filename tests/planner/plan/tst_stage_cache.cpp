@@ -64,6 +64,7 @@ private slots:
     void plansAreTheSame();
     void onlyWhatDependsIsRunAgain_data();
     void onlyWhatDependsIsRunAgain();
+    void cornersThatAreTheSameShareAHeadland();
     void anotherFieldIsNotMixedUp();
     void readsOfInnerStagesCount();
 
@@ -136,6 +137,19 @@ void TestStageCache::onlyWhatDependsIsRunAgain() {
     QCOMPARE(timings.headland > Duration{}, headland);
     QCOMPARE(timings.swaths > Duration{}, swaths);
     QCOMPARE(timings.route > Duration{}, route);
+}
+
+/// The quickest kind of corner begins as a rounded one.
+void TestStageCache::cornersThatAreTheSameShareAHeadland() {
+    StageCache cache;
+    const Given given{{"headland.passes", "2"}};
+    VERIFY_RESULT(makePlan(requestWith(given), {}, &cache));
+    Given rounded = given;
+    rounded.emplace_back("headland.corner", "rounded");
+    const auto plan = makePlan(requestWith(rounded), {}, &cache);
+    VERIFY_RESULT(plan);
+    QCOMPARE((*plan)->timings.headland, Duration{});
+    QCOMPARE((*plan)->timings.swaths, Duration{});
 }
 
 void TestStageCache::anotherFieldIsNotMixedUp() {
