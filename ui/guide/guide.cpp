@@ -66,19 +66,20 @@ QVariantList Guide::searchable(const QString& group) const {
     QVariantList entries;
     for (int i = 0; i < static_cast<int>(chapters_.size()); ++i) {
         const GuideChapter& chapter = chapters_[static_cast<std::size_t>(i)];
-        const auto add = [&](const QString& name, int block) {
+        const auto add = [&](const QString& name, const QString& where, int block) {
             entries << QVariantMap{{QStringLiteral("kind"), QStringLiteral("guide")},
                                    {QStringLiteral("name"), name},
-                                   {QStringLiteral("group"), group},
+                                   {QStringLiteral("group"), where},
                                    {QStringLiteral("keywords"), chapter.title},
                                    {QStringLiteral("chapter"), i},
                                    {QStringLiteral("block"), block}};
         };
-        add(chapter.title, 0);
+        add(chapter.title, group, 0);
         for (int k = 0; k < static_cast<int>(chapter.blocks.size()); ++k) {
-            if (const QString& heading = chapter.blocks[static_cast<std::size_t>(k)].heading;
-                !heading.isEmpty()) {
-                add(heading, k);
+            const GuideBlock& block = chapter.blocks[static_cast<std::size_t>(k)];
+            if (!block.heading.isEmpty()) {
+                // Sections of the same name are told apart by where they stand.
+                add(block.heading, QStringLiteral("%1: %2").arg(group, block.within), k);
             }
         }
     }

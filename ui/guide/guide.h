@@ -32,6 +32,7 @@ public:
     void setQuery(const QString& query);
     QVariantList hits() const;
     /// Every section for the search of commands: name, group, chapter and block.
+    /// @param group  the name of the guide, which begins that of the group
     Q_INVOKABLE QVariantList searchable(const QString& group) const;
 
 signals:

@@ -58,6 +58,7 @@ GuideChapter guideChapter(const QString& markdown) {
         }
         block = {};
     };
+    QString section;
     for (const QString& line : markdown.split(QLatin1Char('\n'))) {
         const QString trimmed = line.trimmed();
         if (const auto shown = picture.match(trimmed); shown.hasMatch()) {
@@ -68,7 +69,12 @@ GuideChapter guideChapter(const QString& markdown) {
             chapter.title = trimmed.mid(2);
         } else if (trimmed.startsWith(QLatin1Char('#'))) {
             flush();
-            block = {.text = trimmed, .picture = {}, .heading = plain(trimmed)};
+            const bool isInSection = trimmed.startsWith(QStringLiteral("###"));
+            block = {.text = trimmed,
+                     .picture = {},
+                     .heading = plain(trimmed),
+                     .within = isInSection ? section : chapter.title};
+            section = isInSection ? section : block.heading;
             flush();
         } else if (trimmed.isEmpty()) {
             flush();

@@ -12,6 +12,7 @@ struct GuideBlock {
     QString text;     ///< Markdown, or what the picture shows
     QString picture;  ///< its file name; empty for text
     QString heading;  ///< of the section that begins here; empty where none does
+    QString within;   ///< the section that it belongs to, or the chapter
 
     friend bool operator==(const GuideBlock&, const GuideBlock&) = default;
 };

@@ -10,6 +10,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <utility>
+
 using namespace furrow;
 
 namespace {
@@ -78,6 +80,40 @@ private slots:
         QCOMPARE(searchGuide(chapters, QStringLiteral("strip headland")).size(), std::size_t{1});
         QVERIFY(searchGuide(chapters, QStringLiteral("tractor")).empty());
         QVERIFY(searchGuide(chapters, QStringLiteral("  ")).empty());
+    }
+    void sectionsKnowWhatTheyBelongTo() {
+        const GuideChapter read =
+            guideChapter(QStringLiteral("# All\n\n## One\n\n### Order\n\nText.\n\n## Two\n\n### Order\n"));
+        QStringList sections;
+        for (const GuideBlock& block : read.blocks) {
+            sections << block.heading + QLatin1Char('<') + block.within;
+        }
+        QCOMPARE(sections, (QStringList{"One<All", "Order<One", "<", "Two<All", "Order<Two"}));
+    }
+    void noTwoSectionsAreToldAlike_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "nl", "fr", "es", "pt_BR"}) {
+            QTest::newRow(language) << QString::fromLatin1(language);
+        }
+    }
+    void noTwoSectionsAreToldAlike() {
+        QFETCH(QString, language);
+        QStringList told;
+        for (const GuideChapter& each : guideIn(language)) {
+            for (const GuideBlock& block : each.blocks) {
+                if (!block.heading.isEmpty()) {
+                    told << block.within + QStringLiteral(": ") + block.heading;
+                }
+            }
+        }
+        QVERIFY(told.size() > 100);
+        QStringList twice;
+        for (const QString& each : std::as_const(told)) {
+            if (told.count(each) > 1) {
+                twice << each;
+            }
+        }
+        QCOMPARE(twice, QStringList{});
     }
     void everySettingAndMethodIsExplained() {
         const QString text = chapter(QStringLiteral("04-settings"));
