@@ -35,6 +35,16 @@ target_compile_options(furrow_warnings INTERFACE
     -Wno-missing-field-initializers
     $<$<BOOL:${FURROW_WARNINGS_ARE_ERRORS}>:-Werror>)
 
+# Headers that nearly every source of a target includes: a fifth to a third of the time of compiling one. Sources name
+# them all the same. Not with clang, whose precompiled headers ccache does not know.
+function(furrow_precompile_headers target)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        target_precompile_headers(${target} PRIVATE ${ARGN})
+        target_compile_options(${target} PRIVATE -fpch-preprocess  # for ccache
+            -Wno-array-bounds)  # GCC 14 warns of precompiled strings, wrongly
+    endif()
+endfunction()
+
 # moc runs again where a source has changed, but not where one was added.
 function(furrow_look_at_new_sources program)
     get_target_property(sources ${program} SOURCES)

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -271,7 +270,7 @@ std::vector<Variant> quickestVariants(const std::vector<std::size_t>& cell,
                                       const RouteCosts& costs) {
     std::vector<Variant> best = variantsIn(cell, patterns.front(), task, costs);
     double bestCost = leastCost(best, costs);
-    for (const PatternOrder& pattern : patterns | std::views::drop(1)) {
+    for (const PatternOrder& pattern : patterns.subspan(1)) {
         std::vector<Variant> other = variantsIn(cell, pattern, task, costs);
         if (const double cost = leastCost(other, costs); cost < kWorthwhile * bestCost) {
             best = std::move(other);
