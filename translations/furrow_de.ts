@@ -1541,6 +1541,14 @@
         <translation>Handbuch</translation>
     </message>
     <message>
+        <source>Sample field</source>
+        <translation>Beispielschlag</translation>
+    </message>
+    <message>
+        <source>example try</source>
+        <translation>Beispiel ausprobieren</translation>
+    </message>
+    <message>
         <source>Fields</source>
         <translation>Schläge</translation>
     </message>

@@ -1541,6 +1541,14 @@
         <translation>Guía</translation>
     </message>
     <message>
+        <source>Sample field</source>
+        <translation>Parcela de ejemplo</translation>
+    </message>
+    <message>
+        <source>example try</source>
+        <translation>ejemplo probar</translation>
+    </message>
+    <message>
         <source>Fields</source>
         <translation>Parcelas</translation>
     </message>

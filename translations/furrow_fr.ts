@@ -1541,6 +1541,14 @@
         <translation>Guide</translation>
     </message>
     <message>
+        <source>Sample field</source>
+        <translation>Parcelle d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>example try</source>
+        <translation>exemple essayer</translation>
+    </message>
+    <message>
         <source>Fields</source>
         <translation>Parcelles</translation>
     </message>

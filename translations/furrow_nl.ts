@@ -1541,6 +1541,14 @@
         <translation>Handleiding</translation>
     </message>
     <message>
+        <source>Sample field</source>
+        <translation>Voorbeeldperceel</translation>
+    </message>
+    <message>
+        <source>example try</source>
+        <translation>voorbeeld proberen</translation>
+    </message>
+    <message>
         <source>Fields</source>
         <translation>Percelen</translation>
     </message>

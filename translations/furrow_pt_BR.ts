@@ -1541,6 +1541,14 @@
         <translation>Guia</translation>
     </message>
     <message>
+        <source>Sample field</source>
+        <translation>Talhão de exemplo</translation>
+    </message>
+    <message>
+        <source>example try</source>
+        <translation>exemplo experimentar</translation>
+    </message>
+    <message>
         <source>Fields</source>
         <translation>Talhões</translation>
     </message>

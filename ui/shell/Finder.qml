@@ -3,8 +3,8 @@ import Furrow.Commands
 import Furrow.Edit
 import Furrow.Plan
 
-/// The command palette with what it finds beside commands (settings, machines, fields, findings, pages of the guide,
-/// places), and the way there.
+/// The command palette with what it finds beside commands (settings, machines, fields, samples, findings, pages of the
+/// guide, places), and the way there.
 CommandPalette {
     id: root
 
@@ -22,11 +22,12 @@ CommandPalette {
     }
     function searchable(): var {
         const pages = root.beside.guide.searchable(qsTr("Guide"));
+        const samples = root.session.opener.sampleNames.map((name, index) => ({ kind: "sample", name: name, group: qsTr("Sample field"), keywords: qsTr("example try"), index: index }));
         if (!root.session.farm.hasField)
-            return pages;
+            return [...samples, ...pages];
         const fields = root.session.farm.fields.map((name, index) => ({ kind: "field", name: name, group: qsTr("Fields"), keywords: qsTr("field"), index: index }));
         const findings = root.session.findings.texts().map((text, index) => ({ kind: "finding", name: text, group: qsTr("Findings"), keywords: qsTr("finding"), index: index }));
-        return [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable(), ...fields, ...findings, ...pages];
+        return [...root.session.planning.steps.searchable(), ...root.session.planning.machine.searchable(), ...fields, ...findings, ...samples, ...pages];
     }
     function goTo(entry: var): void {
         if (entry.kind === "place") {
@@ -36,6 +37,8 @@ CommandPalette {
             root.beside.showGuidePage(entry.chapter, entry.block);
         } else if (entry.kind === "field") {
             root.session.farm.currentField = entry.index;
+        } else if (entry.kind === "sample") {
+            root.session.opener.openSample(entry.index);
         } else if (entry.kind === "finding") {
             root.beside.showResults();
             root.findingRequested(entry.index);

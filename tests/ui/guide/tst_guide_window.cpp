@@ -117,6 +117,14 @@ private slots:
         click(rowOf(finding));
         QTRY_COMPARE(editor()->selectedFinding(), 0);
     }
+    void aSampleIsFoundBeforeThereIsAField() {
+        key(Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+        type(QStringLiteral("long strip"));
+        QTRY_VERIFY(shows(QStringLiteral("palette.row.0")));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(session_->farm()->fieldName(), QStringLiteral("Long Strip"));
+    }
     void aMachineAndAMethodAreTakenByTheirNames() {
         DRAW_FIELD();
         const auto take = [this](const QString& words) {
