@@ -41,6 +41,7 @@ std::vector<StartPlace> startsOfStretches(const HeadlandPass& pass,
                                           const std::function<bool(const Curve&)>& fits) {
     std::vector<StartPlace> places;
     const std::size_t count = pass.stretches.size();
+    places.reserve(count + 1);
     for (std::size_t s = 0; s < count; ++s) {
         places.push_back({.stretch = s,
                           .pose = pass.stretches[s].line.start,
@@ -89,6 +90,7 @@ std::vector<StartPlace> startPlaces(const HeadlandPass& pass, Length inLineAfter
 std::vector<Leg> legsFrom(const HeadlandPass& pass, const StartPlace& start) {
     if (!pass.closed) {
         std::vector<Leg> legs;
+        legs.reserve(pass.stretches.size());
         for (std::size_t i = 0; i < pass.stretches.size(); ++i) {
             legs.push_back(legOf(pass, pass.stretches[(start.stretch + i) % pass.stretches.size()]));
         }
@@ -248,6 +250,7 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
         return working.isInside(line.start) && working.staysInside(line, kCheckStep);
     };
     std::vector<std::vector<StartPlace>> places;
+    places.reserve(passes.size());
     for (const HeadlandPass& pass : passes) {
         places.push_back(startPlaces(pass, inLineAfter, fits));
     }
