@@ -15,12 +15,12 @@ namespace {
 
 constexpr GeoPoint kCentre{9.5, 51.5};
 
-/// 150 m x 90 m with a bay, and with a mast that swaths go round.
+/// 100 m x 64 m with a bay, and with a mast that swaths go round.
 std::shared_ptr<const Field> smallField() {
     MultiPolygon outline{
-        {.outer = {{0, 0}, {150, 0}, {150, 90}, {90, 90}, {90, 60}, {60, 60}, {60, 90}, {0, 90}},
+        {.outer = {{0, 0}, {100, 0}, {100, 64}, {62, 64}, {62, 44}, {42, 44}, {42, 64}, {0, 64}},
          .holes = {}}};
-    outline.front().holes.push_back({{40, 40}, {40, 41}, {41, 41}, {41, 40}});
+    outline.front().holes.push_back({{30, 28}, {30, 29}, {31, 29}, {31, 28}});
     return std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(outline, kCentre)).value());
 }
 
