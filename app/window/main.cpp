@@ -11,7 +11,10 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <span>
+#include <string_view>
 
 namespace {
 
@@ -22,9 +25,21 @@ int themeMode(const QString& name) {
             .indexOf(name));
 }
 
+/// Help and version are words, which need no display.
+bool asksForWords(std::span<char* const> arguments) {
+    return std::ranges::any_of(arguments, [](std::string_view each) {
+        return each == "-h" || each == "--help" || each == "-v" || each == "--version";
+    });
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
+    if (asksForWords(std::span{argv, static_cast<std::size_t>(argc)})) {
+        const QCoreApplication words{argc, argv};
+        furrow::nameProgram();
+        return furrow::argumentsOf(words).error_or(0);
+    }
     furrow::applyScale();
     QGuiApplication application{argc, argv};
     furrow::prepareWindow();

@@ -122,7 +122,9 @@ programs_work() {
     # The program that prints is found from where the other one is.
     "$cli" report "$work/plan" --out "$work/order.pdf" >/dev/null || status=$?
     expect prints "$status $(head -c 5 "$work/order.pdf")" '0 %PDF-'
-    expect windowStarts "$(QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" --version)" "Furrow $("$cli" --version | cut -d' ' -f2)"
+    expect versionIsTold "$("$prefix/bin/furrow" --version)" "Furrow $("$cli" --version | cut -d' ' -f2)"
+    # Over ssh there is no display.
+    expect wordsNeedNoDisplay "$(env -u DISPLAY -u WAYLAND_DISPLAY "$prefix/bin/furrow" --help 2>&1 | head -n 1)" "Usage: $prefix/bin/furrow [options] [FILE]"
     for option in --version --help; do
         expect "nothingIsWrongWith$option" "$(QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" "$option" 2>&1 >/dev/null)" ''
     done

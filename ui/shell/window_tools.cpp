@@ -21,14 +21,18 @@ void applyScale() {
     }
 }
 
-void prepareWindow() {
+void nameProgram() {
     QCoreApplication::setOrganizationName(QStringLiteral("Furrow"));
     QCoreApplication::setApplicationName(QStringLiteral("Furrow"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(FURROW_VERSION));
+}
+
+void prepareWindow() {
+    nameProgram();
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Furrow"));
     // By it a desktop finds name and icon of the window.
     QGuiApplication::setDesktopFileName(QStringLiteral("org.furrow.furrow"));
     QGuiApplication::setWindowIcon(QIcon{QStringLiteral(":/furrow/desktop/furrow-128.png")});
-    QCoreApplication::setApplicationVersion(QStringLiteral(FURROW_VERSION));
     // Glyphs from a picture: as sharp as in other programs, and cheaper than outlines where there is no
     // graphics card.
     QQuickWindow::setTextRenderType(QQuickWindow::NativeTextRendering);
