@@ -1,5 +1,6 @@
 #include "ui/layers/tile_store.h"
 
+#include "planner/jobs/wide_registers.h"
 #include "ui/jobs/job_runner.h"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ bool TileStore::isIdle() const {
 
 void TileStore::serve(const std::stop_token& stop) {
     giveWayToTheWindow();
+    clearWideRegisters();
     bool worked = false;
     while (true) {
         std::function<void()> work;
