@@ -3,6 +3,7 @@
 #include "app/cli/exit_status.h"
 #include "app/cli/export_arguments.h"
 #include "app/cli/terminal.h"
+#include "planner/field/outline_steps.h"
 #include "planner/io/delivery/field_files.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/io/import/field_reader.h"
@@ -37,6 +38,7 @@ struct ConvertArguments {
     double widthM = 6.0;
     double beyondM = 0.0;
     std::optional<double> gapM;
+    bool straightensSteps = false;
     ExportOptions options;
     bool json = false;
 };
@@ -114,7 +116,16 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
         if (only && !(content.field == *only)) {
             continue;
         }
-        const auto field = Field::create(content.field, job);
+        auto field = Field::create(content.field, job);
+        const auto steps =
+            arguments.straightensSteps && field ? stepsOf(field->source()) : std::optional<OutlineSteps>{};
+        if (steps) {
+            FieldSource mended = field->source();
+            mended.repairs = field->repairs();
+            field = withStraightSteps(mended, job).and_then([&](const FieldSource& source) {
+                return Field::create(source, job);
+            });
+        }
         if (!field && field.error().code == ErrorCode::Cancelled) {
             return std::unexpected(field.error());
         }
@@ -122,6 +133,10 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
             leftOut.push_back(std::format("'{}' is left out: {}", content.field.name, field.error().line()));
             refused = refused.value_or(field.error());
             continue;
+        }
+        if (steps) {
+            notes.push_back(std::format("'{}': {} steps of about {:.1f} m were made straight",
+                                        content.field.name, steps->count, steps->height.si()));
         }
         for (const Note& repair : field->repairs()) {
             tell({std::format("'{}': {}", content.field.name, repair.text.text()), repair.where, {}});
@@ -227,6 +242,9 @@ void addConvertCommand(CLI::App& app, std::function<int()>& run) {
         ->add_option("--gap", arguments->gapM,
                      "Gaps between strips up to this belong to worked land, m (one width)")
         ->needs(track);
+    convert->add_flag("--straighten-steps", arguments->straightensSteps,
+                      "Lead outlines that were traced along the pixels of an image through the middles\n"
+                      "of their steps; others stay as they are");
     addExportOptions(*convert, arguments->options, false);
     convert->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
     convert->footer(
@@ -235,6 +253,7 @@ void addConvertCommand(CLI::App& app, std::function<int()>& run) {
         "  furrow-cli convert TASKDATA fields.gpkg\n"
         "  furrow-cli convert farm.shp TASKDATA --format isoxml-v3\n"
         "  furrow-cli convert drive.gpx field.geojson --from-track auto --width 24\n"
+        "  furrow-cli convert traced.geojson straight.geojson --straighten-steps\n"
         "\n"
         "Exit status: 0 all fields are written, 1 some are left out and named on standard error,\n"
         "2 wrong usage, 3 input refused, 4 could not read or write, 130 cancelled.");

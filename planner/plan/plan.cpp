@@ -1,5 +1,6 @@
 #include "planner/plan/plan.h"
 
+#include "planner/field/outline_steps.h"
 #include "planner/jobs/shared_progress.h"
 #include "planner/path/blocking.h"
 #include "planner/plan/audit_input.h"
@@ -37,6 +38,15 @@ void addNotes(Plan& plan) {
     add(plan.notes, FindingKind::Instead);
     add(plan.headland.notes, FindingKind::Setting);
     add(plan.swaths.notes, FindingKind::Setting);
+    if (const auto steps = stepsOf(field.source())) {
+        plan.findings.push_back(
+            {.severity = Severity::Note,
+             .kind = FindingKind::Repair,
+             .place = middle,
+             .text = message("The outline has {} steps of about {:.1f} m, like the pixels of an image.",
+                             steps->count, steps->height.si()),
+             .suggestion = "Make them straight: \"Field\" menu, or furrow-cli convert --straighten-steps."});
+    }
     for (const Note& repair : field.repairs()) {
         plan.findings.push_back({.severity = Severity::Note,
                                  .kind = FindingKind::Repair,

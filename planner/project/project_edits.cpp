@@ -1,6 +1,7 @@
 #include "planner/project/project_edits.h"
 
 #include "planner/decomposition/decomposition.h"
+#include "planner/field/outline_steps.h"
 #include "planner/plan/method_registry.h"
 
 #include <algorithm>
@@ -230,6 +231,19 @@ Project withPlanCopy(Project project, const std::string& name) {
     const std::size_t field = project.currentField;
     const std::size_t last = project.field() != nullptr ? project.field()->plans.size() - 1 : 0;
     return showing(std::move(project), field, last);
+}
+
+Project withStraightSteps(Project project, std::span<const std::size_t> fields) {
+    for (const std::size_t index : fields) {
+        const FieldSource& source = *project.fields[index]->source;
+        auto straight = stepsOf(source) ? withStraightSteps(source) : source;
+        if (straight && *straight != source) {
+            ProjectField field = *project.fields[index];
+            field.source = std::make_shared<const FieldSource>(*std::move(straight));
+            project.fields[index] = std::make_shared<const ProjectField>(std::move(field));
+        }
+    }
+    return project;
 }
 
 Project withPlansLike(Project project, std::span<const std::size_t> fields, const FieldPlan& like) {

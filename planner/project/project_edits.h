@@ -45,6 +45,9 @@ Project withPlanCopy(Project project, const std::string& name);
 Project withoutPlan(Project project);
 /// With other work order data in the current plan. Nothing to do without a field.
 Project withWorkOrder(Project project, WorkOrder order);
+/// With the steps of these fields' outlines made straight (see outline_steps); outlines that would cross
+/// themselves stay.
+Project withStraightSteps(Project project, std::span<const std::size_t> fields);
 /// With the machine and the settings of this plan in the plans that these fields are known by (planOf); what
 /// names places of one field stays behind.
 Project withPlansLike(Project project, std::span<const std::size_t> fields, const FieldPlan& like);

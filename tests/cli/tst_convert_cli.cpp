@@ -2,7 +2,9 @@
 #include "tests/support/test_program.h"
 
 #include <QDir>
+#include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
@@ -35,6 +37,33 @@ private slots:
         QVERIFY2(wide.error.contains("out of range"), wide.error.constData());
         // Without saying what it is for, options of it mean nothing.
         QCOMPARE(furrowCli({"convert", track, folder.filePath("x.geojson"), "--width", "6"}).status, 2);
+    }
+
+    void stepsAreMadeStraight() {
+        const QTemporaryDir folder;
+        const QString farm = QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/farm.geojson");
+        const QString out = folder.filePath("straight.geojson");
+        const Answer kept = furrowCli({"convert", farm, out, "--json"});
+        QVERIFY2(kept.status == 0 && !kept.all().contains("made straight"), kept.all().constData());
+        const Answer answer = furrowCli({"convert", farm, out, "--straighten-steps", "--json"});
+        QVERIFY2(answer.status == 0, answer.all().constData());
+        const QJsonArray fields = answer.json()["fields"].toArray();
+        // Those of the README beside the file.
+        const double areas[] = {180.0 * 110.0, 240.0 * 60.0, 100.0 * 80.0};
+        QCOMPARE(fields.size(), 3);
+        for (qsizetype i = 0; i < 3; ++i) {
+            const double area = fields[i]["area_m2"].toDouble();
+            QVERIFY2(std::abs(area / areas[i] - 1.0) < 0.02, qPrintable(QString::number(area)));
+        }
+        const QString notes = QJsonDocument{answer.json()["notes"].toArray()}.toJson();
+        QCOMPARE(notes.count("steps of about 1.5 m were made straight"), 2);
+        QVERIFY(!notes.contains("'Drawn Field'"));
+        QFile written{out};
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        for (const QJsonValue& feature : QJsonDocument::fromJson(written.readAll())["features"].toArray()) {
+            const qsizetype points = feature["geometry"]["coordinates"][0].toArray().size();
+            QVERIFY2(points >= 5 && points <= 17, qPrintable(QString::number(points)));
+        }
     }
 
     void convertsByName_data() {
