@@ -167,6 +167,14 @@
         <translation>Auswählen und ändern</translation>
     </message>
     <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Stufen des Umrisses begradigen</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>Pixel Bild Treppe glätten vereinfachen</translation>
+    </message>
+    <message>
         <source>Rename the field…</source>
         <translation>Schlag umbenennen …</translation>
     </message>
@@ -3358,6 +3366,10 @@
         <translation>Auf halber Breite</translation>
     </message>
     <message>
+        <source>Make them straight: &quot;Field&quot; menu, or furrow-cli convert --straighten-steps.</source>
+        <translation>Begradigen: Menü „Schlag“, oder furrow-cli convert --straighten-steps.</translation>
+    </message>
+    <message>
         <source>Quick search</source>
         <translation>Schnelle Suche</translation>
     </message>
@@ -4064,6 +4076,10 @@
     <message>
         <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
         <translation>Die äußerste Spur fährt mit dem Radius der Maschine herum, wo wenig liegen bleibt; andere reichen in die Ecken.</translation>
+    </message>
+    <message>
+        <source>The outline has %1 steps of about %2, like the pixels of an image.</source>
+        <translation>Der Umriss hat %1 Stufen von etwa %2, wie die Pixel eines Bildes.</translation>
     </message>
     <message>
         <source>The pass along the boundary first.</source>
@@ -7517,6 +7533,33 @@
     </message>
 </context>
 <context>
+    <name>StepsNotice</name>
+    <message>
+        <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
+        <translation>Der Umriss hat %1 Stufen von etwa %2 %3, wie die Pixel eines Bildes.</translation>
+    </message>
+    <message>
+        <source>Made straight, it would cross itself. Move or delete points there.</source>
+        <translation>Begradigt würde er sich selbst kreuzen. Verschieben oder löschen Sie dort Punkte.</translation>
+    </message>
+    <message>
+        <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
+        <translation>Keine Maschine fährt sie nach. Gerade Kanten führen durch die Mitte der Stufen.</translation>
+    </message>
+    <message>
+        <source>Make them straight</source>
+        <translation>Begradigen</translation>
+    </message>
+    <message>
+        <source>In all fields</source>
+        <translation>In allen Schlägen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>StepsPanel</name>
     <message>
         <source>Find the best plan…</source>
@@ -8715,6 +8758,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Leitlinie löschen</translation>
+    </message>
+    <message>
+        <source>Make steps straight</source>
+        <translation>Stufen begradigen</translation>
     </message>
     <message>
         <source>Move</source>

@@ -167,6 +167,14 @@
         <translation>Seleccionar y cambiar</translation>
     </message>
     <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Enderezar los escalones del contorno</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>píxeles imagen escalera suavizar simplificar</translation>
+    </message>
+    <message>
         <source>Rename the field…</source>
         <translation>Renombrar la parcela…</translation>
     </message>
@@ -3358,6 +3366,10 @@
         <translation>A medio ancho</translation>
     </message>
     <message>
+        <source>Make them straight: &quot;Field&quot; menu, or furrow-cli convert --straighten-steps.</source>
+        <translation>Enderécelos: menú «Parcela», o furrow-cli convert --straighten-steps.</translation>
+    </message>
+    <message>
         <source>Quick search</source>
         <translation>Búsqueda rápida</translation>
     </message>
@@ -4064,6 +4076,10 @@
     <message>
         <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
         <translation>La pasada exterior va con el radio de la máquina donde queda poco; las demás entran en las esquinas.</translation>
+    </message>
+    <message>
+        <source>The outline has %1 steps of about %2, like the pixels of an image.</source>
+        <translation>El contorno tiene %1 escalones de unos %2, como los píxeles de una imagen.</translation>
     </message>
     <message>
         <source>The pass along the boundary first.</source>
@@ -7517,6 +7533,33 @@
     </message>
 </context>
 <context>
+    <name>StepsNotice</name>
+    <message>
+        <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
+        <translation>El contorno tiene %1 escalones de unos %2 %3, como los píxeles de una imagen.</translation>
+    </message>
+    <message>
+        <source>Made straight, it would cross itself. Move or delete points there.</source>
+        <translation>Enderezado, se cruzaría a sí mismo. Mueva o borre puntos allí.</translation>
+    </message>
+    <message>
+        <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
+        <translation>Ninguna máquina los sigue. Los bordes rectos pasan por la mitad de los escalones.</translation>
+    </message>
+    <message>
+        <source>Make them straight</source>
+        <translation>Enderezar</translation>
+    </message>
+    <message>
+        <source>In all fields</source>
+        <translation>En todas las parcelas</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+</context>
+<context>
     <name>StepsPanel</name>
     <message>
         <source>Find the best plan…</source>
@@ -8715,6 +8758,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Eliminar la línea de guiado</translation>
+    </message>
+    <message>
+        <source>Make steps straight</source>
+        <translation>Enderezar escalones</translation>
     </message>
     <message>
         <source>Move</source>

@@ -167,6 +167,14 @@
         <translation>Sélectionner et modifier</translation>
     </message>
     <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Redresser les marches du contour</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>pixels image escalier lisser simplifier</translation>
+    </message>
+    <message>
         <source>Rename the field…</source>
         <translation>Renommer la parcelle…</translation>
     </message>
@@ -3358,6 +3366,10 @@
         <translation>À mi-largeur</translation>
     </message>
     <message>
+        <source>Make them straight: &quot;Field&quot; menu, or furrow-cli convert --straighten-steps.</source>
+        <translation>Redressez-les : menu « Parcelle », ou furrow-cli convert --straighten-steps.</translation>
+    </message>
+    <message>
         <source>Quick search</source>
         <translation>Recherche rapide</translation>
     </message>
@@ -4064,6 +4076,10 @@
     <message>
         <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
         <translation>Le tour extérieur passe au rayon de la machine là où il reste peu ; les autres vont dans les coins.</translation>
+    </message>
+    <message>
+        <source>The outline has %1 steps of about %2, like the pixels of an image.</source>
+        <translation>Le contour a %1 marches d’environ %2, comme les pixels d’une image.</translation>
     </message>
     <message>
         <source>The pass along the boundary first.</source>
@@ -7517,6 +7533,33 @@
     </message>
 </context>
 <context>
+    <name>StepsNotice</name>
+    <message>
+        <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
+        <translation>Le contour a %1 marches d’environ %2 %3, comme les pixels d’une image.</translation>
+    </message>
+    <message>
+        <source>Made straight, it would cross itself. Move or delete points there.</source>
+        <translation>Redressé, il se croiserait. Déplacez ou supprimez des points à cet endroit.</translation>
+    </message>
+    <message>
+        <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
+        <translation>Aucune machine ne les suit. Des bords droits passent au milieu des marches.</translation>
+    </message>
+    <message>
+        <source>Make them straight</source>
+        <translation>Redresser</translation>
+    </message>
+    <message>
+        <source>In all fields</source>
+        <translation>Dans toutes les parcelles</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>StepsPanel</name>
     <message>
         <source>Find the best plan…</source>
@@ -8715,6 +8758,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Supprimer la ligne de guidage</translation>
+    </message>
+    <message>
+        <source>Make steps straight</source>
+        <translation>Redresser les marches</translation>
     </message>
     <message>
         <source>Move</source>

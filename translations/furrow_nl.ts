@@ -167,6 +167,14 @@
         <translation>Selecteren en wijzigen</translation>
     </message>
     <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Trapjes in de omtrek recht maken</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>pixels beeld trap gladmaken vereenvoudigen</translation>
+    </message>
+    <message>
         <source>Rename the field…</source>
         <translation>Perceel hernoemen…</translation>
     </message>
@@ -3358,6 +3366,10 @@
         <translation>Op halve breedte</translation>
     </message>
     <message>
+        <source>Make them straight: &quot;Field&quot; menu, or furrow-cli convert --straighten-steps.</source>
+        <translation>Maak ze recht: menu &quot;Perceel&quot;, of furrow-cli convert --straighten-steps.</translation>
+    </message>
+    <message>
         <source>Quick search</source>
         <translation>Snel zoeken</translation>
     </message>
@@ -4064,6 +4076,10 @@
     <message>
         <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
         <translation>De buitenste gang gaat met de straal van de machine rond waar weinig blijft liggen; andere reiken in de hoeken.</translation>
+    </message>
+    <message>
+        <source>The outline has %1 steps of about %2, like the pixels of an image.</source>
+        <translation>De omtrek heeft %1 trapjes van ongeveer %2, zoals de pixels van een beeld.</translation>
     </message>
     <message>
         <source>The pass along the boundary first.</source>
@@ -7517,6 +7533,33 @@
     </message>
 </context>
 <context>
+    <name>StepsNotice</name>
+    <message>
+        <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
+        <translation>De omtrek heeft %1 trapjes van ongeveer %2 %3, zoals de pixels van een beeld.</translation>
+    </message>
+    <message>
+        <source>Made straight, it would cross itself. Move or delete points there.</source>
+        <translation>Recht gemaakt zou hij zichzelf kruisen. Verplaats of verwijder daar punten.</translation>
+    </message>
+    <message>
+        <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
+        <translation>Geen machine volgt ze. Rechte randen lopen door het midden van de trapjes.</translation>
+    </message>
+    <message>
+        <source>Make them straight</source>
+        <translation>Recht maken</translation>
+    </message>
+    <message>
+        <source>In all fields</source>
+        <translation>In alle percelen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+</context>
+<context>
     <name>StepsPanel</name>
     <message>
         <source>Find the best plan…</source>
@@ -8715,6 +8758,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Stuurlijn verwijderen</translation>
+    </message>
+    <message>
+        <source>Make steps straight</source>
+        <translation>Trapjes recht maken</translation>
     </message>
     <message>
         <source>Move</source>

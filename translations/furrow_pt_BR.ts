@@ -167,6 +167,14 @@
         <translation>Selecionar e alterar</translation>
     </message>
     <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Endireitar os degraus do contorno</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>pixels imagem escada suavizar simplificar</translation>
+    </message>
+    <message>
         <source>Rename the field…</source>
         <translation>Renomear o talhão…</translation>
     </message>
@@ -3358,6 +3366,10 @@
         <translation>A meia largura</translation>
     </message>
     <message>
+        <source>Make them straight: &quot;Field&quot; menu, or furrow-cli convert --straighten-steps.</source>
+        <translation>Endireite-os: menu &quot;Talhão&quot;, ou furrow-cli convert --straighten-steps.</translation>
+    </message>
+    <message>
         <source>Quick search</source>
         <translation>Busca rápida</translation>
     </message>
@@ -4064,6 +4076,10 @@
     <message>
         <source>The outermost pass goes round with the machine&apos;s radius where little is left; others reach into corners.</source>
         <translation>A passada externa segue o raio da máquina onde sobra pouco; as outras entram nos cantos.</translation>
+    </message>
+    <message>
+        <source>The outline has %1 steps of about %2, like the pixels of an image.</source>
+        <translation>O contorno tem %1 degraus de cerca de %2, como os pixels de uma imagem.</translation>
     </message>
     <message>
         <source>The pass along the boundary first.</source>
@@ -7517,6 +7533,33 @@
     </message>
 </context>
 <context>
+    <name>StepsNotice</name>
+    <message>
+        <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
+        <translation>O contorno tem %1 degraus de cerca de %2 %3, como os pixels de uma imagem.</translation>
+    </message>
+    <message>
+        <source>Made straight, it would cross itself. Move or delete points there.</source>
+        <translation>Endireitado, ele se cruzaria. Mova ou apague pontos ali.</translation>
+    </message>
+    <message>
+        <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
+        <translation>Nenhuma máquina os segue. Bordas retas passam pelo meio dos degraus.</translation>
+    </message>
+    <message>
+        <source>Make them straight</source>
+        <translation>Endireitar</translation>
+    </message>
+    <message>
+        <source>In all fields</source>
+        <translation>Em todos os talhões</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+</context>
+<context>
     <name>StepsPanel</name>
     <message>
         <source>Find the best plan…</source>
@@ -8715,6 +8758,10 @@
     <message>
         <source>Delete the guidance line</source>
         <translation>Excluir a linha de orientação</translation>
+    </message>
+    <message>
+        <source>Make steps straight</source>
+        <translation>Endireitar degraus</translation>
     </message>
     <message>
         <source>Move</source>

@@ -288,6 +288,14 @@ QtObject {
             onTriggered: root.page.startTool(FieldEditor.Select)
         },
         Command {
+            objectName: "command.straightenSteps"
+            group: root.fieldGroup
+            text: qsTr("Make the outline's steps straight")
+            keywords: qsTr("pixels image stairs smooth simplify")
+            enabled: root.page.editor.outlineSteps > 0
+            onTriggered: root.page.editor.straightenSteps(false)
+        },
+        Command {
             objectName: "command.renameField"
             group: root.fieldGroup
             text: qsTr("Rename the field…")

@@ -69,6 +69,18 @@ bool FieldEditor::isAhead() const {
     return isDragging() || (shown_ != nullptr && shown_->isBehind());
 }
 
+void FieldEditor::findSteps() {
+    const ProjectField* const field = project().field();
+    const auto source = field == nullptr ? nullptr : field->source;
+    // While a point is dragged nobody looks for steps.
+    if (source == stepsOf_ || isDragging()) {
+        return;
+    }
+    stepsOf_ = source;
+    steps_ = source == nullptr ? std::nullopt : stepsOf(*source);
+    emit stepsChanged();
+}
+
 void FieldEditor::follow() {
     const ProjectField* field = project().field();
     const std::string id = field == nullptr ? std::string{} : field->id;
@@ -85,6 +97,7 @@ void FieldEditor::follow() {
     } else if (sketch_.empty()) {
         frame_.reset();
     }
+    findSteps();
     hovered_.reset();
     // What was selected may be gone, as after undoing.
     const bool ofShape = selection_.kind < Selection::Kind::Segment;

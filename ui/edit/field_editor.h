@@ -3,6 +3,7 @@
 #include "planner/editing/field_shape.h"
 #include "planner/editing/shape_hit.h"
 #include "planner/editing/snapping.h"
+#include "planner/field/outline_steps.h"
 #include "planner/project/project.h"
 #include "ui/edit/selection.h"
 #include "ui/map/shown_plan.h"
@@ -40,6 +41,10 @@ class FieldEditor : public QObject {
     /// Of the path; -1 where something else is selected, or nothing.
     Q_PROPERTY(int selectedSegment READ selectedSegment NOTIFY selectionChanged FINAL)
     Q_PROPERTY(int selectedCell READ selectedCell NOTIFY selectionChanged FINAL)
+    /// Of the field's outline, where it was traced along the pixels of an image; none without steps.
+    Q_PROPERTY(int outlineSteps READ outlineSteps NOTIFY stepsChanged FINAL)
+    Q_PROPERTY(double stepHeightM READ stepHeightM NOTIFY stepsChanged FINAL)
+    Q_PROPERTY(QString fieldId READ fieldId NOTIFY stepsChanged FINAL)
     Q_PROPERTY(int selectedFinding READ selectedFinding NOTIFY selectionChanged FINAL)
 
 public:
@@ -80,6 +85,9 @@ public:
     bool isAhead() const;
     bool hasSelection() const { return !selection_.isNone(); }
     bool canDelete() const;
+    int outlineSteps() const { return steps_ ? steps_->count : 0; }
+    double stepHeightM() const { return steps_ ? steps_->height.si() : 0.0; }
+    QString fieldId() const { return QString::fromStdString(fieldId_); }
     int selectedCell() const {
         return selection_.kind == Selection::Kind::Cell ? static_cast<int>(selection_.index) : -1;
     }
@@ -158,6 +166,9 @@ public:
     void setPassable(bool passable);
     void setGateWidth(Length width);
     void setName(const QString& name);
+    /// Makes the steps of the outline straight, of the current field or of all. An outline that would cross
+    /// itself then stays.
+    Q_INVOKABLE void straightenSteps(bool all);
     /// Lets the swaths follow the selected edge.
     Q_INVOKABLE void guideAlongEdge();
 
@@ -170,6 +181,7 @@ signals:
     void freehandChanged();
     void sketchChanged();
     void draggingChanged();
+    void stepsChanged();
     void selectionChanged();
     /// A segment of the path, on the map.
     void segmentClicked(int index);
@@ -183,6 +195,7 @@ private:
     const Outline* selectedOutline() const;
     Point local(GeoPoint place) const { return frame_->toLocal(place); }
     void follow();
+    void findSteps();
     /// Another plan is shown.
     void followPlan();
     void pickFromPlan(const Pointer& pointer);
@@ -208,6 +221,8 @@ private:
     std::string fieldId_;
     std::optional<LocalFrame> frame_;
     std::optional<FieldShape> shape_;
+    std::shared_ptr<const FieldSource> stepsOf_;  ///< whose steps are known
+    std::optional<OutlineSteps> steps_;
     GeoRing sketch_;
     std::optional<GeoPoint> cursor_;
     std::optional<ShapeHit> hovered_;

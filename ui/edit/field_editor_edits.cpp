@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace furrow {
 
@@ -250,6 +251,15 @@ void FieldEditor::deleteSelection() {
     } else {
         change(QT_TR_NOOP("Delete the guidance line"), withGuide(project(), {}));
     }
+}
+
+void FieldEditor::straightenSteps(bool all) {
+    std::vector<std::size_t> fields{project().currentField};
+    if (all) {
+        fields.resize(project().fields.size());
+        std::iota(fields.begin(), fields.end(), std::size_t{0});
+    }
+    change(QT_TR_NOOP("Make steps straight"), withStraightSteps(project(), fields));
 }
 
 void FieldEditor::nudge(double eastM, double northM) {

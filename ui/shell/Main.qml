@@ -198,6 +198,7 @@ ApplicationWindow {
         steps: steps
         onStepsRequested: root.stepsWanted = true
         onFindingRequested: index => root.goToFinding(index)
+        onPlaceVisited: emptyState.away = true
     }
     WindowDialogs {
         id: windowDialogs
@@ -364,6 +365,13 @@ ApplicationWindow {
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             onGoRequested: page.fitArea(area, true)
         }
+        StepsNotice {
+            z: 1
+            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
+            editor: page.editor
+            fields: root.session.farm.fields.length
+            hasPlace: !farImagery.visible && !page.editor.drawing
+        }
         CrashNotice {
             z: 1
             anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
@@ -384,13 +392,20 @@ ApplicationWindow {
             onOpenRequested: dialogs.open()
         }
         EmptyState {
+            id: emptyState
+
+            /// The user went to a place, to draw there: nothing covers it until there is a field.
+            property bool away: false
+            readonly property bool hasField: root.session.farm.hasField
+            onHasFieldChanged: away = false
+
             anchors.centerIn: parent
             // Beside the tour. Where there is no room for both, the tour's first task is the same.
             readonly property bool hasRoom: tour.takenWidth === 0 || parent.width >= width + tour.takenWidth + 16 + 76
             anchors.horizontalCenterOffset: hasRoom ? Math.min(0, (parent.width - width) / 2 - tour.takenWidth - 16) : 0
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
-            visible: hasRoom && (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
+            visible: hasRoom && !away && (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
             opener: root.session.opener
             recent: root.session.recent
             onOpenRequested: dialogs.open()

@@ -71,6 +71,48 @@ private slots:
         QVERIFY(session_->shown()->plan()->swaths.swaths.size() > 3);
         picture(QStringLiteral("picked_pivot"));
     }
+    // An outline along pixels: the card offers a straight one, for all fields of the farm.
+    void stepsAreMadeStraight() {
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/one.geojson"))});
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
+        QVERIFY(item(QStringLiteral("outlineSteps.text"))
+                    ->property("text")
+                    .toString()
+                    .contains(QStringLiteral("1.5 m")));
+        QVERIFY(!shows(QStringLiteral("outlineSteps.all")));
+        picture(QStringLiteral("outline_steps"));
+        const std::size_t points = source().parts.front().outer.size();
+        click(QStringLiteral("outlineSteps.straighten"));
+        QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
+        QVERIFY(points > 100 && source().parts.front().outer.size() < 17);
+        ready();
+        picture(QStringLiteral("outline_straight"));
+        // Undone, it is offered again; closed, it is not, and the menu still has it.
+        session_->document()->undo();
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
+        QCOMPARE(source().parts.front().outer.size(), points);
+        click(QStringLiteral("outlineSteps.close"));
+        QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
+        editor()->straightenSteps(false);
+        QVERIFY(source().parts.front().outer.size() < 17);
+    }
+    void stepsOfAllFieldsAreMadeStraight() {
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/farm.geojson"))});
+        QTRY_COMPARE(session_->planning()->state(), PlanState::Choosing);
+        session_->opener()->chooseAll();
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
+        const std::size_t before = steps();
+        click(QStringLiteral("outlineSteps.all"));
+        QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
+        const Project& project = *session_->document()->project();
+        QCOMPARE(project.fields.size(), 3U);
+        for (const auto& field : project.fields) {
+            QVERIFY(field->source->parts.front().outer.size() < 17);
+        }
+        QCOMPARE(steps(), before + 1);
+    }
     // Two clicks are two refill points: the plan drives to them, and shows them. A click on one removes it,
     // and all of it can be undone.
     void refillPointsArePicked() {
