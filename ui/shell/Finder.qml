@@ -15,6 +15,7 @@ CommandPalette {
     required property StepsPanel steps
     signal stepsRequested()
     signal findingRequested(index: int)
+    signal placeVisited()
 
     function openForPlace(): void {
         root.hint = qsTr("Coordinates, such as 48.1371, 11.5754");
@@ -33,6 +34,7 @@ CommandPalette {
         if (entry.kind === "place") {
             root.page.camera.centreOn(entry.place, 16, true);
             root.overlays.pulseAt(entry.place);
+            root.placeVisited();
         } else if (entry.kind === "guide") {
             root.beside.showGuidePage(entry.chapter, entry.block);
         } else if (entry.kind === "field") {

@@ -169,6 +169,7 @@ private slots:
     }
     void coordinatesAreGoneTo() {
         QVERIFY(!shows(QStringLiteral("palette.field")));
+        QTRY_VERIFY(shows(QStringLiteral("emptyState")));
         QVERIFY(QMetaObject::invokeMethod(window_->findChild<QObject*>(QStringLiteral("command.place")),
                                           "trigger"));
         QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
@@ -181,6 +182,12 @@ private slots:
         key(Qt::Key_Return);
         QTRY_VERIFY(camera()->center().distanceTo(QGeoCoordinate{47.5, 8.25}) < 1.0);
         QTRY_COMPARE(camera()->zoomLevel(), 16.0);
+        // What there is to begin with does not cover it, until a field came and went.
+        QTRY_VERIFY(!shows(QStringLiteral("emptyState")));
+        session_->opener()->openSample(0);
+        QTRY_VERIFY_WITH_TIMEOUT(session_->farm()->hasField(), kPatienceMs);
+        session_->farm()->removeField();
+        QTRY_VERIFY(shows(QStringLiteral("emptyState")));
         // No place on Earth.
         key(Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
