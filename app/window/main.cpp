@@ -8,11 +8,14 @@
 #include <QGuiApplication>
 #include <QQmlApplicationEngine>
 #include <QQuickWindow>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -52,6 +55,12 @@ int main(int argc, char* argv[]) {
         furrow::countMessages();
     }
 
+    const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
+    // What nobody looks at must not change the size and the colours that the user comes back to.
+    std::optional<QTemporaryDir> ownSettings;
+    if (!forPeople) {
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, ownSettings.emplace().path());
+    }
     furrow::Display::instance().force(
         arguments.language,
         static_cast<furrow::Display::Units>(std::max<qsizetype>(
@@ -60,7 +69,6 @@ int main(int argc, char* argv[]) {
             0)));
     furrow::Session session;
     QQmlApplicationEngine engine;
-    const bool forPeople = arguments.screenshot.isEmpty() && !arguments.selfTest;
     engine.setInitialProperties({{QStringLiteral("session"), QVariant::fromValue(&session)},
                                  {QStringLiteral("offersTour"), forPeople && arguments.file.isEmpty()}});
     engine.loadFromModule("Furrow.Shell", "Main");

@@ -21,8 +21,13 @@ namespace {
 std::atomic<int> warningCount = 0;
 QtMessageHandler earlierHandler = nullptr;
 
+/// Qt's platform without a screen says this of every window.
+bool isOfPlatform(const QString& message) {
+    return message.contains(QLatin1String{"propagateSizeHints"});
+}
+
 void countingHandler(QtMsgType type, const QMessageLogContext& context, const QString& message) {
-    if (type == QtWarningMsg || type == QtCriticalMsg) {
+    if ((type == QtWarningMsg || type == QtCriticalMsg) && !isOfPlatform(message)) {
         ++warningCount;
     }
     earlierHandler(type, context, message);
@@ -54,7 +59,8 @@ private:
         steps_.front().act();
     }
     void tick() {
-        constexpr int kLongestMs = 30000;
+        // Of a busy computer: a plan takes seconds on an idle one.
+        constexpr int kLongestMs = 300'000;
         if (!steps_.front().reached()) {
             if (waited_.elapsed() > kLongestMs) {
                 std::printf("self-test: %s: NOT reached\n", steps_.front().name);
