@@ -3,6 +3,7 @@
 #include "planner/geometry/box_tree.h"
 #include "planner/geometry/convex_hull.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/strip_area.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/turns/connection.h"
 
@@ -119,6 +120,13 @@ Ring clipped(Ring ring, const Ring& strip) {
     return ring.size() < 3 ? Ring{} : ring;
 }
 
+Strip stripAlong(const FinishingPass& pass, double widthM) {
+    const Point way = pass.to - pass.from;
+    const double lengthM = norm(way);
+    return {
+        .from = pass.from, .along = (1.0 / lengthM) * way, .lengthM = lengthM, .halfWidthM = 0.5 * widthM};
+}
+
 }  // namespace
 
 Ring stripOf(const FinishingPass& pass, double widthM) {
@@ -189,14 +197,6 @@ Ring FinishingLanes::clippedBy(const Ring& strip, const Ring& ring) const {
     return clipped(ring, strip);
 }
 
-double FinishingLanes::inStripM2(const Polygon& polygon, const Ring& strip) const {
-    double sumM2 = signedAreaM2(clippedBy(strip, polygon.outer));
-    for (const Ring& hole : polygon.holes) {
-        sumM2 += signedAreaM2(clippedBy(strip, hole));
-    }
-    return sumM2;
-}
-
 bool FinishingLanes::isSpent() const {
     return pointsClipped_ > kMostPointsClipped;
 }
@@ -251,14 +251,15 @@ std::vector<FinishingLane> FinishingLanes::across(const Polygon& piece) const {
 }
 
 double FinishingLanes::landBesideM2(const FinishingLane& lane, const LeftLand& left) const {
-    const Ring strip = stripOf(
-        {.from = lane.on + (lane.fromM + runInM_) * lane.along, .to = lane.on + lane.toM * lane.along},
-        widthM_);
-    const Bounds box = bounds({{.outer = strip, .holes = {}}});
+    const FinishingPass pass{.from = lane.on + (lane.fromM + runInM_) * lane.along,
+                             .to = lane.on + lane.toM * lane.along};
+    const Strip strip = stripAlong(pass, widthM_);
+    const Bounds box = bounds({{.outer = stripOf(pass, widthM_), .holes = {}}});
     double sumM2 = 0.0;
     for (const LeftLand::Piece& piece : left.pieces()) {
         if (meet(piece.box, box)) {
-            sumM2 += inStripM2(piece.outline, strip);
+            pointsClipped_ += piece.outline.outer.size();
+            sumM2 += areaInM2(piece.outline, strip);
         }
     }
     return sumM2;
@@ -344,9 +345,9 @@ std::vector<FinishingLane> FinishingLanes::free(const FinishingLane& lane) const
 
 /// Whether a pass would work land that is left on purpose, by more than rounding.
 bool FinishingLanes::worksOnPurposeLeft(const FinishingPass& candidate) const {
-    const Ring strip = stripOf(candidate, widthM_);
+    const Strip strip = stripAlong(candidate, widthM_);
     return std::ranges::any_of(task_.leftOnPurpose, [&](const Polygon& polygon) {
-        return inStripM2(polygon, strip) > leastGainM2();
+        return areaInM2(polygon, strip) > leastGainM2();
     });
 }
 

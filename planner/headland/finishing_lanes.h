@@ -101,7 +101,6 @@ private:
                  std::vector<FinishingLane>& lanes) const;
 
     Ring clippedBy(const Ring& strip, const Ring& ring) const;
-    double inStripM2(const Polygon& polygon, const Ring& strip) const;
 
     const FinishingTask& task_;
     double widthM_;
