@@ -9403,12 +9403,12 @@
         <translation>Erster Plan · wird verbessert …</translation>
     </message>
     <message>
-        <source>First plan · comparing %1 of %2 …</source>
-        <translation>Erster Plan · vergleicht %1 von %2 …</translation>
+        <source>First plan · comparing plan %1 of %2 …</source>
+        <translation>Erster Plan · vergleicht Plan %1 von %2 …</translation>
     </message>
     <message>
-        <source>Planning … · comparing %1 of %2</source>
-        <translation>Wird geplant … · vergleicht %1 von %2</translation>
+        <source>Planning … · comparing plan %1 of %2</source>
+        <translation>Wird geplant … · vergleicht Plan %1 von %2</translation>
     </message>
 </context>
 <context>

@@ -9403,12 +9403,12 @@
         <translation>Primer plan · mejorándolo…</translation>
     </message>
     <message>
-        <source>First plan · comparing %1 of %2 …</source>
-        <translation>Primer plan · comparando %1 de %2…</translation>
+        <source>First plan · comparing plan %1 of %2 …</source>
+        <translation>Primer plan · comparando plan %1 de %2…</translation>
     </message>
     <message>
-        <source>Planning … · comparing %1 of %2</source>
-        <translation>Planificando… · comparando %1 de %2</translation>
+        <source>Planning … · comparing plan %1 of %2</source>
+        <translation>Planificando… · comparando plan %1 de %2</translation>
     </message>
 </context>
 <context>

@@ -9403,12 +9403,12 @@
         <translation>Premier plan · en cours d&apos;amélioration…</translation>
     </message>
     <message>
-        <source>First plan · comparing %1 of %2 …</source>
-        <translation>Premier plan · comparaison %1 sur %2…</translation>
+        <source>First plan · comparing plan %1 of %2 …</source>
+        <translation>Premier plan · comparaison du plan %1 sur %2…</translation>
     </message>
     <message>
-        <source>Planning … · comparing %1 of %2</source>
-        <translation>Planification… · comparaison %1 sur %2</translation>
+        <source>Planning … · comparing plan %1 of %2</source>
+        <translation>Planification… · comparaison du plan %1 sur %2</translation>
     </message>
 </context>
 <context>

@@ -9403,12 +9403,12 @@
         <translation>Eerste plan · wordt verbeterd…</translation>
     </message>
     <message>
-        <source>First plan · comparing %1 of %2 …</source>
-        <translation>Eerste plan · vergelijkt %1 van %2…</translation>
+        <source>First plan · comparing plan %1 of %2 …</source>
+        <translation>Eerste plan · vergelijkt plan %1 van %2…</translation>
     </message>
     <message>
-        <source>Planning … · comparing %1 of %2</source>
-        <translation>Bezig met plannen… · vergelijkt %1 van %2</translation>
+        <source>Planning … · comparing plan %1 of %2</source>
+        <translation>Bezig met plannen… · vergelijkt plan %1 van %2</translation>
     </message>
 </context>
 <context>

@@ -9403,12 +9403,12 @@
         <translation>Primeiro plano · sendo melhorado…</translation>
     </message>
     <message>
-        <source>First plan · comparing %1 of %2 …</source>
-        <translation>Primeiro plano · comparando %1 de %2…</translation>
+        <source>First plan · comparing plan %1 of %2 …</source>
+        <translation>Primeiro plano · comparando plano %1 de %2…</translation>
     </message>
     <message>
-        <source>Planning … · comparing %1 of %2</source>
-        <translation>Planejando… · comparando %1 de %2</translation>
+        <source>Planning … · comparing plan %1 of %2</source>
+        <translation>Planejando… · comparando plano %1 de %2</translation>
     </message>
 </context>
 <context>

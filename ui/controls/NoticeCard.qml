@@ -43,9 +43,10 @@ Rectangle {
             wrapMode: Text.WordWrap
             lineHeight: 1.15
         }
-        Row {
+        Flow {
             id: row
 
+            width: parent.width
             spacing: 8
             topPadding: 2
         }

@@ -21,6 +21,8 @@ Item {
     /// Of the folder that was left upwards.
     property string cameFrom: ""
     signal taken()
+    /// The user begins to type a path.
+    signal pathBegun(text: string)
 
     component Title: T.Button {
         id: button
@@ -266,6 +268,8 @@ Item {
             root.taken();
         } else if (event.key === Qt.Key_Backspace) {
             root.goUp();
+        } else if (event.text === "/" || event.text === "~" || event.key === Qt.Key_L && event.modifiers & Qt.ControlModifier) {
+            root.pathBegun(event.key === Qt.Key_L ? "" : event.text);
         } else if (event.key === Qt.Key_A && event.modifiers & Qt.ControlModifier) {
             if (root.several)
                 root.chosen = Array.from({ length: root.browser.count }, (none, i) => i).filter(i => !root.browser.isFolderAt(i)).map(i => root.browser.pathAt(i));

@@ -123,6 +123,7 @@ T.Popup {
                 browser: root.browser
                 several: root.several
                 onTaken: root.takeFromList()
+                onPathBegun: text => root.typePath(text)
                 onChosenChanged: {
                     root.asks = FileWindow.Nothing;
                     root.complaint = "";
@@ -320,6 +321,14 @@ T.Popup {
         } else {
             root.complain(qsTr("The folder “%1” cannot be made.").arg(folder));
         }
+    }
+    /// Over the folder that is shown; without a text, that is selected.
+    function typePath(begun: string): void {
+        pathField.forceActiveFocus(Qt.ShortcutFocusReason);
+        if (begun.length > 0)
+            pathField.text = begun;
+        else
+            pathField.selectAll();
     }
     /// To a folder that was typed, or a file in one.
     function goTo(entered: string): void {

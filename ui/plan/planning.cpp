@@ -106,8 +106,8 @@ QString Planning::planningText() const {
         return shown_.isDraft() ? tr("First plan · being improved …") : tr("Planning …");
     }
     const int current = std::min(done + 1, known);
-    return shown_.isDraft() ? tr("First plan · comparing %1 of %2 …").arg(current).arg(known)
-                            : tr("Planning … · comparing %1 of %2").arg(current).arg(known);
+    return shown_.isDraft() ? tr("First plan · comparing plan %1 of %2 …").arg(current).arg(known)
+                            : tr("Planning … · comparing plan %1 of %2").arg(current).arg(known);
 }
 
 void Planning::cancel() {

@@ -367,12 +367,16 @@ ApplicationWindow {
         }
         StepsNotice {
             z: 1
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
+            anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
+            // Beside the tour.
+            width: Math.min(400, parent.width - anchors.leftMargin - 16 - (tour.takenWidth > 0 ? tour.takenWidth + 16 : 0))
             editor: page.editor
             fields: root.session.farm.fields.length
-            hasPlace: !farImagery.visible && !page.editor.drawing
+            hasPlace: !farImagery.visible && !crashNotice.visible && !page.editor.drawing
         }
         CrashNotice {
+            id: crashNotice
+
             z: 1
             anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
             report: root.session.trouble
@@ -564,6 +568,8 @@ ApplicationWindow {
     Tour {
         id: tour
 
+        // The list of fields to choose from lies where the tour does.
+        visible: running && root.session.planning.state !== PlanState.Choosing
         anchors { left: parent.left; right: beside.left; top: parent.top; bottom: driveBar.visible ? driveBar.top : parent.bottom }
         z: 10
         hasField: root.session.farm.hasField

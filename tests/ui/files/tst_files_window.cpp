@@ -16,6 +16,7 @@ private slots:
     void init();
     void cleanup();
     void opensWithKeys();
+    void aTypedPathGoesIntoItsField();
     void opensSeveral();
     void savesWithTheSuggestedName();
     void asksBeforeWritingOver();
@@ -107,6 +108,23 @@ void TestFilesWindow::opensWithKeys() {
     key(Qt::Key_Escape);
     QTRY_VERIFY(!isOpen());
     QCOMPARE(fields(), 1);
+}
+
+void TestFilesWindow::aTypedPathGoesIntoItsField() {
+    key(Qt::Key_O, Qt::ControlModifier);
+    QTRY_VERIFY(isOpen());
+    into(folder_->path());
+    item("files.list")->forceActiveFocus();
+    key(Qt::Key_L, Qt::ControlModifier);
+    QTRY_VERIFY(item("files.path")->hasActiveFocus());
+    QCOMPARE(item("files.path")->property("selectedText").toString(), folder_->path());
+    item("files.list")->forceActiveFocus();
+    QVERIFY(sample().startsWith(u'/'));
+    type(sample());
+    QTRY_COMPARE(item("files.path")->property("text").toString(), sample());
+    key(Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(fields(), 1, kPatienceMs);
+    QVERIFY(!isOpen());
 }
 
 void TestFilesWindow::opensSeveral() {

@@ -112,6 +112,34 @@ private slots:
                                     .arg(QLatin1String{name}, QStringList{reached.values()}.join(u' '))));
         }
     }
+    // Neither the fields of a file to choose from, nor what is said of the outline.
+    void theTourCoversNothing() {
+        window_->resize(1366, 768);
+        click(QStringLiteral("searchButton"));
+        type(QStringLiteral("tour"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible());
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/farm.geojson"))});
+        QTRY_COMPARE(session_->planning()->state(), PlanState::Choosing);
+        QTRY_VERIFY(!item(QStringLiteral("tour"))->isVisible());
+        session_->opener()->chooseAll();
+        const auto placeOf = [this](const char* name) {
+            const QQuickItem& of = *item(QLatin1String{name});
+            return QRectF{of.mapToScene({}), of.size()};
+        };
+        for (const QSize size : {QSize{1366, 768}, {1000, 700}}) {
+            window_->resize(size);
+            QTRY_COMPARE(window_->size(), size);
+            QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible() &&
+                        item(QStringLiteral("outlineSteps"))->isVisible());
+            waitForRest(*item(QStringLiteral("outlineSteps")));
+            picture(QStringLiteral("steps-tour-%1").arg(size.width()));
+            QVERIFY(!placeOf("outlineSteps").intersects(placeOf("tour.card")));
+            QVERIFY(placeOf("mapPage").contains(placeOf("outlineSteps")));
+            QVERIFY(placeOf("outlineSteps").contains(placeOf("outlineSteps.close")));
+        }
+    }
     void theTourIsTakenAndLeft() {
         click(QStringLiteral("searchButton"));
         type(QStringLiteral("tour"));
