@@ -19,7 +19,7 @@ namespace {
 
 /// Fields, pictures and heights, and what GDAL itself works in. None of them follows references to other
 /// files.
-constexpr std::string_view kDrivers[] = {
+constexpr std::string_view kKeptDrivers[] = {
     "GeoJSON",     "GeoJSONSeq", "JSONFG",  "TopoJSON",   "ESRIJSON", "ESRI Shapefile", "LIBKML",
     "KML",         "GPKG",       "GML",     "FlatGeobuf", "CSV",      "OpenFileGDB",    "GPX",
     "DXF",         "GTiff",      "PNG",     "JPEG",       "WEBP",     "MBTiles",        "DTED",
@@ -45,7 +45,7 @@ void keepOnlyOurDrivers() {
     std::vector<GDALDriver*> others;
     for (int i = 0; i < manager.GetDriverCount(); ++i) {
         GDALDriver* const driver = manager.GetDriver(i);
-        if (!std::ranges::contains(kDrivers, std::string_view{driver->GetDescription()})) {
+        if (!std::ranges::contains(kKeptDrivers, std::string_view{driver->GetDescription()})) {
             others.push_back(driver);
         }
     }

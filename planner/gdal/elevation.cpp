@@ -1,6 +1,7 @@
 #include "planner/gdal/elevation.h"
 
 #include "planner/gdal/drivers.h"
+#include "planner/gdal/raster_dataset.h"
 
 #include <gdal_priv.h>
 #include <gdal_utils.h>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <format>
 #include <limits>
-#include <memory>
 
 namespace furrow {
 
@@ -21,14 +21,9 @@ constexpr double kFinestM = 1.0;
 constexpr double kMostCells = 1024.0;
 
 // Formats that are files of their own and name no others.
-constexpr std::array kDrivers{"GTiff", "AAIGrid", "SRTMHGT", "DTED", static_cast<const char*>(nullptr)};
+constexpr std::array kHeightDrivers{"GTiff", "AAIGrid", "SRTMHGT", "DTED", static_cast<const char*>(nullptr)};
 
-struct CloseDataset {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-Error readFailed(const std::filesystem::path& path, Message what) {
+Error noHeights(const std::filesystem::path& path, Message what) {
     return {.code = ErrorCode::ReadFailed,
             .what = std::move(what),
             .where = path.string(),
@@ -52,8 +47,8 @@ double cellOf(GDALDataset& raster) {
 }
 
 /// The raster warped onto the cells of a grid in the local frame; nothing where that fails.
-Dataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const LocalFrame& frame,
-                   const JobContext& job) {
+RasterDataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const LocalFrame& frame,
+                         const JobContext& job) {
     // Cells of the result have their values in their middles.
     const double west = grid.origin.x - 0.5 * grid.cellM;
     const double south = grid.origin.y - 0.5 * grid.cellM;
@@ -85,7 +80,7 @@ Dataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const LocalFr
     GDALWarpAppOptions* const options = GDALWarpAppOptionsNew(arguments.data(), nullptr);
     GDALWarpAppOptionsSetProgress(options, goOn, const_cast<JobContext*>(&job));
     GDALDatasetH source = &raster;
-    Dataset warped{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
+    RasterDataset warped{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
     GDALWarpAppOptionsFree(options);
     CPLPopErrorHandler();
     return warped;
@@ -111,13 +106,14 @@ Result<ElevationGrid> readElevation(const std::filesystem::path& path, const Loc
     registerGdalDrivers();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
-        return std::unexpected(readFailed(path, "there is no such file"));
+        return std::unexpected(noHeights(path, "there is no such file"));
     }
     CPLPushErrorHandler(CPLQuietErrorHandler);
-    const Dataset raster{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data())};
+    const RasterDataset raster{
+        GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kHeightDrivers.data())};
     CPLPopErrorHandler();
     if (!raster || raster->GetRasterCount() == 0) {
-        return std::unexpected(readFailed(path, "it is no raster of heights"));
+        return std::unexpected(noHeights(path, "it is no raster of heights"));
     }
     if (raster->GetSpatialRef() == nullptr) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,
@@ -133,12 +129,12 @@ Result<ElevationGrid> readElevation(const std::filesystem::path& path, const Loc
                        .rows = static_cast<std::size_t>(std::ceil(box.height() / cellM)) + 1,
                        .heightsM = {}};
     grid.heightsM.assign(grid.columns * grid.rows, std::numeric_limits<double>::quiet_NaN());
-    const Dataset warped = warpedOnto(grid, *raster, frame, job);
+    const RasterDataset warped = warpedOnto(grid, *raster, frame, job);
     if (job.stopRequested()) {
         return std::unexpected(cancelled());
     }
     if (!warped || !readHeights(*warped, grid)) {
-        return std::unexpected(readFailed(path, "its heights cannot be read"));
+        return std::unexpected(noHeights(path, "its heights cannot be read"));
     }
     if (std::ranges::none_of(grid.heightsM, [](double heightM) { return std::isfinite(heightM); })) {
         return std::unexpected(Error{.code = ErrorCode::InputRefused,

@@ -19,7 +19,7 @@ bool isClosed(const OGRSimpleCurve& line) {
     return last >= 1 && line.getX(0) == line.getX(last) && line.getY(0) == line.getY(last);
 }
 
-GeoRing ringOf(const OGRSimpleCurve& line, const ToWgs84& toWgs84) {
+GeoRing openRing(const OGRSimpleCurve& line, const ToWgs84& toWgs84) {
     GeoRing ring = toWgs84.points(line);
     if (isClosed(line)) {
         ring.pop_back();
@@ -29,7 +29,7 @@ GeoRing ringOf(const OGRSimpleCurve& line, const ToWgs84& toWgs84) {
 
 /// Of a polygon, whose rings have to end where they begin.
 GeoRing polygonRing(const OGRLinearRing& line, const ToWgs84& toWgs84, VectorFeature& feature) {
-    GeoRing ring = ringOf(line, toWgs84);
+    GeoRing ring = openRing(line, toWgs84);
     const bool ends = isClosed(line) || (std::abs(ring.back().lonDeg - ring.front().lonDeg) < kSamePointDeg &&
                                          std::abs(ring.back().latDeg - ring.front().latDeg) < kSamePointDeg);
     if (!ends) {
@@ -80,7 +80,7 @@ void addGeometry(const OGRGeometry& geometry, const ToWgs84& toWgs84, VectorFeat
         case wkbLineString: {
             const OGRLineString& line = *geometry.toLineString();
             if (line.getNumPoints() >= 4 && isClosed(line)) {
-                feature.closedLines.push_back(ringOf(line, toWgs84));
+                feature.closedLines.push_back(openRing(line, toWgs84));
             } else if (line.getNumPoints() > 1) {
                 feature.openLines.push_back(toWgs84.points(line));
             }

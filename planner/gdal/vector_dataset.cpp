@@ -21,10 +21,10 @@ namespace furrow {
 namespace {
 
 // Only these: others may follow references to elsewhere (VRT, WFS) or run for ever on the wrong input.
-constexpr const char* kDrivers[] = {"GeoJSON",        "GeoJSONSeq",  "JSONFG", "TopoJSON", "ESRIJSON",
-                                    "ESRI Shapefile", "LIBKML",      "KML",    "GPKG",     "GML",
-                                    "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      "DXF",
-                                    nullptr};
+constexpr const char* kVectorDrivers[] = {"GeoJSON",        "GeoJSONSeq",  "JSONFG", "TopoJSON", "ESRIJSON",
+                                          "ESRI Shapefile", "LIBKML",      "KML",    "GPKG",     "GML",
+                                          "FlatGeobuf",     "OpenFileGDB", "CSV",    "GPX",      "DXF",
+                                          nullptr};
 constexpr const char* kPlainKml[] = {"KML", nullptr};
 
 constexpr std::pair<const char*, const char*> kThreadOptions[] = {
@@ -139,7 +139,7 @@ VectorDataset::Dataset VectorDataset::openWith(const std::string& path, const ch
 }
 
 std::optional<VectorDataset> VectorDataset::open(const std::string& path, GdalMessages& messages) {
-    Dataset dataset = openWith(path, kDrivers);
+    Dataset dataset = openWith(path, kVectorDrivers);
     // LIBKML refuses a KML without Document or Folder, which is legal; the plain driver reads it.
     if (inSmallLetters(path).ends_with(".kml") && (!dataset || dataset->GetLayerCount() == 0)) {
         messages.forget();

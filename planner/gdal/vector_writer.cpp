@@ -26,7 +26,7 @@ Error writeFailed(Message what) {
             .remedy = "choose another format"};
 }
 
-std::unique_ptr<OGRLinearRing> ringOf(const GeoRing& points) {
+std::unique_ptr<OGRLinearRing> ogrRing(const GeoRing& points) {
     auto ring = std::make_unique<OGRLinearRing>();
     for (const GeoPoint& point : points) {
         ring->addPoint(point.lonDeg, point.latDeg);
@@ -37,9 +37,9 @@ std::unique_ptr<OGRLinearRing> ringOf(const GeoRing& points) {
 
 std::unique_ptr<OGRPolygon> polygonOf(const GeoPolygon& polygon) {
     auto made = std::make_unique<OGRPolygon>();
-    made->addRingDirectly(ringOf(polygon.outer).release());
+    made->addRingDirectly(ogrRing(polygon.outer).release());
     for (const GeoRing& hole : polygon.holes) {
-        made->addRingDirectly(ringOf(hole).release());
+        made->addRingDirectly(ogrRing(hole).release());
     }
     return made;
 }

@@ -3,6 +3,7 @@
 #include "planner/core/file_error.h"
 #include "planner/gdal/drivers.h"
 #include "planner/gdal/messages.h"
+#include "planner/gdal/raster_dataset.h"
 #include "planner/geometry/simplify.h"
 
 #include <gdal_alg.h>
@@ -22,11 +23,6 @@ namespace {
 
 constexpr double kMostPixels = 1e8;
 constexpr double kSmoothingPixels = 0.75;
-
-struct DatasetCloser {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 /// 1 where it is worked, 0 elsewhere.
 std::optional<std::vector<GByte>> maskOf(GDALDataset& raster) {
@@ -56,7 +52,7 @@ std::optional<std::vector<GByte>> maskOf(GDALDataset& raster) {
 
 /// Polygons of worked pixels, in pixels.
 std::vector<std::unique_ptr<OGRGeometry>> patchesOf(std::vector<GByte>& mask, int width, int height) {
-    const Dataset memory{
+    const RasterDataset memory{
         GetGDALDriverManager()->GetDriverByName("MEM")->Create("", width, height, 1, GDT_Byte, nullptr)};
     GDALRasterBand* band = memory->GetRasterBand(1);
     std::vector<std::unique_ptr<OGRGeometry>> patches;
@@ -64,7 +60,7 @@ std::vector<std::unique_ptr<OGRGeometry>> patchesOf(std::vector<GByte>& mask, in
         CE_None) {
         return patches;
     }
-    const Dataset shapes{
+    const RasterDataset shapes{
         GetGDALDriverManager()->GetDriverByName("Memory")->Create("", 0, 0, 0, GDT_Unknown, nullptr)};
     OGRLayer* layer = shapes->CreateLayer("patches", nullptr, wkbPolygon, nullptr);
     if (GDALPolygonize(band, band, layer, -1, nullptr, nullptr, nullptr) != CE_None) {
@@ -135,7 +131,7 @@ private:
 };
 
 /// Empty where it is smoothed away or has no place.
-GeoRing ringOf(const OGRLinearRing& ring, const Placing& placing) {
+GeoRing smoothRing(const OGRLinearRing& ring, const Placing& placing) {
     Polyline pixels;
     for (int i = 0; i < ring.getNumPoints(); ++i) {
         pixels.push_back({ring.getX(i), ring.getY(i)});
@@ -163,8 +159,9 @@ Result<std::vector<GeoPolygon>> workedPatches(const std::filesystem::path& path,
     const GdalMessages messages;
     const std::string name = path.filename().string();
     constexpr const char* kDrivers[] = {"GTiff", "PNG", nullptr};
-    const Dataset raster{GDALDataset::Open(std::filesystem::absolute(path).c_str(),
-                                           GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers, nullptr, nullptr)};
+    const RasterDataset raster{GDALDataset::Open(std::filesystem::absolute(path).c_str(),
+                                                 GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers, nullptr,
+                                                 nullptr)};
     if (!raster || raster->GetRasterCount() == 0) {
         return std::unexpected(readFailed(
             name, message("the picture cannot be read ({})", messages.failure()), "export it again"));
@@ -189,9 +186,9 @@ Result<std::vector<GeoPolygon>> workedPatches(const std::filesystem::path& path,
             return std::unexpected(cancelled());
         }
         const OGRPolygon& polygon = *patch->toPolygon();
-        GeoPolygon placed{.outer = ringOf(*polygon.getExteriorRing(), *placing), .holes = {}};
+        GeoPolygon placed{.outer = smoothRing(*polygon.getExteriorRing(), *placing), .holes = {}};
         for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
-            if (GeoRing hole = ringOf(*polygon.getInteriorRing(i), *placing); !hole.empty()) {
+            if (GeoRing hole = smoothRing(*polygon.getInteriorRing(i), *placing); !hole.empty()) {
                 placed.holes.push_back(std::move(hole));
             }
         }

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array kExtensions{".png", ".jpg", ".jpeg", ".webp"};
-constexpr std::array kDrivers{"PNG", "JPEG", "WEBP", static_cast<const char*>(nullptr)};
+constexpr std::array kTileDrivers{"PNG", "JPEG", "WEBP", static_cast<const char*>(nullptr)};
 constexpr int kLargestSide = 1024;
 /// Columns whose rows are read to find how far the tiles reach.
 constexpr std::size_t kSampledColumns = 64;
@@ -184,7 +184,7 @@ Result<std::optional<TilePicture>> TileFolder::tile(TileId id, const JobContext&
     registerGdalDrivers();
     const GdalMessages messages;
     const RasterDataset raster{
-        GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data())};
+        GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kTileDrivers.data())};
     const int side = raster ? raster->GetRasterXSize() : 0;
     if (!raster || raster->GetRasterYSize() != side || side > kLargestSide) {
         return std::unexpected(readFailed(path.string(), "a tile is damaged", "make the tiles again"));

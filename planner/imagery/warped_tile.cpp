@@ -20,17 +20,17 @@ namespace furrow {
 
 namespace {
 
-constexpr std::array kDrivers{"GTiff",
-                              "MBTiles",
-                              "GPKG",
-                              "PNG",
-                              "JPEG",
-                              "WEBP",
-                              "JP2OpenJPEG",
-                              "AAIGrid",
-                              "SRTMHGT",
-                              "DTED",
-                              static_cast<const char*>(nullptr)};
+constexpr std::array kPictureDrivers{"GTiff",
+                                     "MBTiles",
+                                     "GPKG",
+                                     "PNG",
+                                     "JPEG",
+                                     "WEBP",
+                                     "JP2OpenJPEG",
+                                     "AAIGrid",
+                                     "SRTMHGT",
+                                     "DTED",
+                                     static_cast<const char*>(nullptr)};
 
 int goOn(double /*share*/, const char* /*message*/, void* job) {
     return static_cast<const JobContext*>(job)->stopRequested() ? FALSE : TRUE;
@@ -101,8 +101,8 @@ RasterDataset openRaster(const std::filesystem::path& path, int level) {
     registerGdalDrivers();
     std::string option = "OVERVIEW_LEVEL=" + std::to_string(level);
     std::array<const char*, 2> options{level < 0 ? nullptr : option.c_str(), nullptr};
-    return RasterDataset{
-        GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, kDrivers.data(), options.data())};
+    return RasterDataset{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
+                                           kPictureDrivers.data(), options.data())};
 }
 
 /// One resolution of a raster with its way to web Mercator.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/gdal/raster_dataset.h"
 #include "planner/imagery/tile_pixels.h"
 
 #include <gdal_priv.h>
@@ -10,11 +11,6 @@
 #include <vector>
 
 namespace furrow {
-
-struct DatasetCloser {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using RasterDataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 /// What of a raster is drawn on its tiles, and how.
 struct TileBands {
