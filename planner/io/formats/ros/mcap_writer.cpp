@@ -1,5 +1,6 @@
 #include "planner/io/files/byte_writer.h"
 #include "planner/io/files/checksum.h"
+#include "planner/io/formats/ros/mcap_records.h"
 #include "planner/io/formats/ros/nav_path.h"
 
 #include <algorithm>
@@ -12,26 +13,12 @@ namespace furrow {
 
 namespace {
 
-constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
 constexpr std::uint16_t kSchemaId = 1;
 
 /// From 1: there are readers that take a channel 0 for none.
 std::uint16_t channelId(std::size_t topic) {
     return static_cast<std::uint16_t>(topic + 1);
 }
-
-enum Opcode : std::uint8_t {
-    kHeader = 1,
-    kFooter = 2,
-    kSchema = 3,
-    kChannel = 4,
-    kMessage = 5,
-    kChunk = 6,
-    kMessageIndex = 7,
-    kChunkIndex = 8,
-    kStatistics = 11,
-    kDataEnd = 15,
-};
 
 // The messages that nav_msgs/msg/Path is made of, as ROS 2 defines them.
 constexpr const char* kDefinition =
@@ -71,7 +58,7 @@ void addText(ByteWriter& out, std::string_view text) {
     out.bytes(text);
 }
 
-std::string record(Opcode opcode, ByteWriter&& body) {
+std::string record(mcap::Opcode opcode, ByteWriter&& body) {
     const std::string bytes = std::move(body).take();
     ByteWriter out;
     out.integer(static_cast<std::uint8_t>(opcode));
@@ -86,7 +73,7 @@ std::string schemaRecord() {
     addText(body, "nav_msgs/msg/Path");
     addText(body, "ros2msg");
     addText(body, kDefinition);
-    return record(kSchema, std::move(body));
+    return record(mcap::kSchema, std::move(body));
 }
 
 std::string channelRecords(const std::vector<NavTopic>& topics) {
@@ -98,7 +85,7 @@ std::string channelRecords(const std::vector<NavTopic>& topics) {
         addText(body, topics[i].name);
         addText(body, "cdr");
         body.integer(std::uint32_t{0});  // no metadata
-        all += record(kChannel, std::move(body));
+        all += record(mcap::kChannel, std::move(body));
     }
     return all;
 }
@@ -111,7 +98,7 @@ std::string messageRecord(std::size_t channel, std::uint32_t sequence, const Nav
     body.integer(stamp);  // logged
     body.integer(stamp);  // published
     body.bytes(cdrOf(path));
-    return record(kMessage, std::move(body));
+    return record(mcap::kMessage, std::move(body));
 }
 
 /// The messages in one chunk, and where they begin in it.
@@ -143,7 +130,7 @@ std::string headerRecord() {
     ByteWriter header;
     addText(header, "ros2");
     addText(header, "furrow");
-    return record(kHeader, std::move(header));
+    return record(mcap::kHeader, std::move(header));
 }
 
 std::string chunkRecord(const MessageChunk& chunk) {
@@ -155,7 +142,7 @@ std::string chunkRecord(const MessageChunk& chunk) {
     addText(body, "");  // not compressed
     body.integer(static_cast<std::uint64_t>(chunk.records.size()));
     body.bytes(chunk.records);
-    return record(kChunk, std::move(body));
+    return record(mcap::kChunk, std::move(body));
 }
 
 std::string messageIndexRecord(const MessageChunk& chunk, std::size_t channel) {
@@ -166,13 +153,13 @@ std::string messageIndexRecord(const MessageChunk& chunk, std::size_t channel) {
         index.integer(stamp);
         index.integer(offset);
     }
-    return record(kMessageIndex, std::move(index));
+    return record(mcap::kMessageIndex, std::move(index));
 }
 
 std::string dataEndRecord() {
     ByteWriter body;
     body.integer(std::uint32_t{0});  // checksum not given
-    return record(kDataEnd, std::move(body));
+    return record(mcap::kDataEnd, std::move(body));
 }
 
 std::string statisticsRecord(const MessageChunk& chunk, std::size_t messages) {
@@ -190,7 +177,7 @@ std::string statisticsRecord(const MessageChunk& chunk, std::size_t messages) {
         statistics.integer(channelId(channel));
         statistics.integer(static_cast<std::uint64_t>(chunk.places[channel].size()));
     }
-    return record(kStatistics, std::move(statistics));
+    return record(mcap::kStatistics, std::move(statistics));
 }
 
 /// Where the chunk and the indexes of its channels lie in the file.
@@ -216,7 +203,7 @@ std::string chunkIndexRecord(const MessageChunk& chunk, const ChunkPlace& place)
     addText(index, "");
     index.integer(static_cast<std::uint64_t>(chunk.records.size()));
     index.integer(static_cast<std::uint64_t>(chunk.records.size()));
-    return record(kChunkIndex, std::move(index));
+    return record(mcap::kChunkIndex, std::move(index));
 }
 
 std::string footerRecord(std::uint64_t summaryStart) {
@@ -224,7 +211,7 @@ std::string footerRecord(std::uint64_t summaryStart) {
     footer.integer(summaryStart);
     footer.integer(std::uint64_t{0});  // no summary offsets
     footer.integer(std::uint32_t{0});  // checksum not given
-    return record(kFooter, std::move(footer));
+    return record(mcap::kFooter, std::move(footer));
 }
 
 }  // namespace
@@ -232,7 +219,7 @@ std::string footerRecord(std::uint64_t summaryStart) {
 std::string mcapOf(const std::vector<NavPath>& paths) {
     const std::vector<NavTopic> topics = topicsOf(paths);
     const MessageChunk chunk = chunkOf(topics);
-    std::string file = std::string{kMagic} + headerRecord();
+    std::string file = std::string{kMcapMagic} + headerRecord();
     ChunkPlace place{.start = file.size(), .indexes = {}};
     file += chunkRecord(chunk);
     place.length = file.size() - place.start;
@@ -247,7 +234,7 @@ std::string mcapOf(const std::vector<NavPath>& paths) {
     file += schemaRecord() + channelRecords(topics);
     file += statisticsRecord(chunk, paths.size());
     file += chunkIndexRecord(chunk, place);
-    return file + footerRecord(summaryStart) + std::string{kMagic};
+    return file + footerRecord(summaryStart) + std::string{kMcapMagic};
 }
 
 }  // namespace furrow

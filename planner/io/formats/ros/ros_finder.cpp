@@ -90,10 +90,10 @@ std::vector<PathMessage> messagesOfDatabase(std::string& bytes, std::vector<std:
 }
 
 // mcap.dev/spec: opcodes
-constexpr std::uint8_t kChannel = 4;
-constexpr std::uint8_t kMessage = 5;
-constexpr std::uint8_t kChunk = 6;
-constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
+constexpr std::uint8_t kChannelOpcode = 4;
+constexpr std::uint8_t kMessageOpcode = 5;
+constexpr std::uint8_t kChunkOpcode = 6;
+constexpr std::string_view kMagicBytes{"\x89MCAP0\r\n", 8};
 
 void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint16_t, std::string>>& channels,
                        std::vector<PathMessage>& messages) {
@@ -101,11 +101,11 @@ void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint
     while (reader.bytesLeft() >= 9) {
         const auto opcode = reader.integer<std::uint8_t>();
         ByteReader body{reader.take(reader.integer<std::uint64_t>())};
-        if (opcode == kChannel) {
+        if (opcode == kChannelOpcode) {
             const auto id = body.integer<std::uint16_t>();
             body.skip(2);
             channels.emplace_back(id, body.take(body.integer<std::uint32_t>()));
-        } else if (opcode == kMessage) {
+        } else if (opcode == kMessageOpcode) {
             const auto id = body.integer<std::uint16_t>();
             body.skip(4 + 8 + 8);
             for (const auto& [channel, topic] : channels) {
@@ -114,7 +114,7 @@ void messagesOfRecords(std::string_view records, std::vector<std::pair<std::uint
                     break;
                 }
             }
-        } else if (opcode == kChunk) {
+        } else if (opcode == kChunkOpcode) {
             body.skip(8 + 8 + 8 + 4);
             const bool plain = body.integer<std::uint32_t>() == 0;  // no compression
             const std::string_view inner = body.take(body.integer<std::uint64_t>());
@@ -155,7 +155,7 @@ std::vector<ReceivedContent> findRosbag(std::span<const FileInMemory> files, con
         std::vector<std::string> data;
         std::vector<PathMessage> messages;
         const bool framed =
-            bytes.starts_with(kMcapMagic) && bytes.ends_with(kMcapMagic) && bytes.size() >= 16;
+            bytes.starts_with(kMagicBytes) && bytes.ends_with(kMagicBytes) && bytes.size() >= 16;
         if (isDatabase) {
             messages = messagesOfDatabase(bytes, data);
         } else if (framed) {

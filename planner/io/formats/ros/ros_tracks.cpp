@@ -220,7 +220,7 @@ private:
     std::map<std::string, Topic> topics_;
 };
 
-constexpr std::string_view kMcapMagic = "\x89MCAP";
+constexpr std::string_view kMcapStart = "\x89MCAP";
 constexpr std::string_view kSqliteMagic = "SQLite format 3";
 constexpr std::string_view kRos1Magic = "#ROSBAG V";
 
@@ -267,7 +267,7 @@ Recognition recogniseRosbag(const ChosenFile& chosen) {
     }
     const bool known =
         chosen.start() &&
-        (chosen.start()->starts_with(kMcapMagic) || chosen.start()->starts_with(kSqliteMagic) ||
+        (chosen.start()->starts_with(kMcapStart) || chosen.start()->starts_with(kSqliteMagic) ||
          chosen.start()->starts_with(kRos1Magic) || isBagFile(chosen.path()));
     return known ? Recognition::Certain : Recognition::No;
 }

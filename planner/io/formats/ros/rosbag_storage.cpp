@@ -3,6 +3,7 @@
 #include "planner/io/files/byte_reader.h"
 #include "planner/io/files/checksum.h"
 #include "planner/io/files/sqlite.h"
+#include "planner/io/formats/ros/mcap_records.h"
 
 #include <lz4frame.h>
 #include <sqlite3.h>
@@ -25,8 +26,6 @@ namespace fs = std::filesystem;
 // Writers make chunks of a few MiB; what is far above would only fill the memory.
 constexpr std::uint64_t kLargestPieceBytes = std::uint64_t{256} << 20U;
 
-constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
-
 using Wants = std::function<bool(std::string_view)>;
 using Visit = std::function<Result<void>(const BagMessage&)>;
 
@@ -45,15 +44,6 @@ Error tooLarge(const std::string& where, std::uint64_t bytes) {
 }
 
 // --- MCAP (https://mcap.dev/spec) -------------------------------------------------------------------
-
-enum Opcode : std::uint8_t {
-    kFooter = 2,
-    kSchema = 3,
-    kChannel = 4,
-    kMessage = 5,
-    kChunk = 6,
-    kDataEnd = 15
-};
 
 std::string_view stringIn(ByteReader& bytes) {
     return bytes.take(bytes.integer<std::uint32_t>());
@@ -113,7 +103,7 @@ public:
             }
             const auto opcode = static_cast<std::uint8_t>(head[0]);
             const auto length = ByteReader{std::string_view{head}.substr(1)}.integer<std::uint64_t>();
-            if (opcode == kDataEnd || opcode == kFooter) {
+            if (opcode == mcap::kDataEnd || opcode == mcap::kFooter) {
                 return {};  // what follows is an index of what was read
             }
             if (auto read = readRecord(opcode, length); !read) {
@@ -130,7 +120,8 @@ private:
     };
 
     Result<void> readRecord(std::uint8_t opcode, std::uint64_t length) {
-        const bool needed = opcode == kSchema || opcode == kChannel || opcode == kMessage || opcode == kChunk;
+        const bool needed = opcode == mcap::kSchema || opcode == mcap::kChannel || opcode == mcap::kMessage ||
+                            opcode == mcap::kChunk;
         if (needed && length > kLargestPieceBytes) {
             return std::unexpected(tooLarge(where_, length));
         }
@@ -154,7 +145,7 @@ private:
                 return std::unexpected(damaged(where_, "the recording is cut off in the middle of a record"));
             }
         }
-        return opcode == kChunk ? readChunk(body) : readInner(opcode, body);
+        return opcode == mcap::kChunk ? readChunk(body) : readInner(opcode, body);
     }
 
     Result<void> readChunk(std::string_view body) {
@@ -208,17 +199,17 @@ private:
 
     Result<void> readInner(std::uint8_t opcode, std::string_view body) {
         ByteReader bytes{body};
-        if (opcode == kSchema) {
+        if (opcode == mcap::kSchema) {
             const auto id = bytes.integer<std::uint16_t>();
             schemas_[id] = std::string{stringIn(bytes)};
-        } else if (opcode == kChannel) {
+        } else if (opcode == mcap::kChannel) {
             const auto id = bytes.integer<std::uint16_t>();
             const auto schema = schemas_.find(bytes.integer<std::uint16_t>());
             Channel& channel = channels_[id];
             channel.topic = stringIn(bytes);
             channel.type = schema == schemas_.end() ? std::string{} : schema->second;
             channel.wanted = stringIn(bytes) == "cdr" && wants_(channel.type);
-        } else if (opcode == kMessage) {
+        } else if (opcode == mcap::kMessage) {
             const auto channel = channels_.find(bytes.integer<std::uint16_t>());
             bytes.skip(4);
             const auto recorded = bytes.integer<std::uint64_t>();
