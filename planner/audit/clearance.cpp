@@ -171,7 +171,7 @@ private:
 };
 
 // The implement has layers of its own where it may stand over more than the rest.
-enum Layer : std::size_t { kOpen, kFootprint, kOpenForImplement, kImplement };
+enum ClearanceLayer : std::size_t { kOpen, kFootprint, kOpenForImplement, kImplement };
 
 std::uint32_t isSwept(const Depths& depths) {
     return depths[kFootprint] > 0 ? 1 : 0;
@@ -221,7 +221,7 @@ Result<MultiPolygon> outlineOf(std::span<const std::vector<Ring>> groups, Point 
 Result<Area> areaOutside(const std::vector<SegmentClearance>& segments, const MultiPolygon& open,
                          const MultiPolygon* forImplement, Point along, const JobContext& job) {
     using Groups = std::span<const std::vector<Ring>>;
-    std::vector<std::pair<Layer, Groups>> suspects;
+    std::vector<std::pair<ClearanceLayer, Groups>> suspects;
     for (const SegmentClearance& segment : segments) {
         const Groups all{segment.suspects};
         if (forImplement == nullptr) {

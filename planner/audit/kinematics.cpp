@@ -24,15 +24,10 @@ constexpr double kSpeedShare = 1.001;
 // Samples show the mean of a step. Noise of positions on short steps is far below the second value.
 constexpr double kSteeringShare = 1.05;
 constexpr double kSteeredAtOnceS = 0.02;
-// Slower is standing. Times of folding may differ by rounding.
-constexpr double kStandingMps = 1e-6;
+// Times of folding may differ by rounding.
 constexpr double kFoldedS = 1e-3;
 // Files of others state places to a millimetre.
 constexpr double kPlaceNoiseM = 3e-4;
-
-double wrapped(double angle) {
-    return std::remainder(angle, 2.0 * std::numbers::pi);
-}
 
 /// The movement from one sample to the next, from the points only.
 struct Step {

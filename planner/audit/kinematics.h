@@ -4,6 +4,9 @@
 
 namespace furrow {
 
+/// Slower is standing.
+inline constexpr double kStandingMps = 1e-6;
+
 /// One kind of trouble: its count, its worst value, and the place of that.
 struct Trouble {
     int count = 0;

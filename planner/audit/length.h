@@ -3,6 +3,7 @@
 #include "planner/geometry/point.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace furrow {
 
@@ -10,6 +11,11 @@ namespace furrow {
 /// range; this is ten times as fast.
 inline double lengthOf(Point way) {
     return std::sqrt(dot(way, way));
+}
+
+/// An angle in radians, into [-pi, pi].
+inline double wrapped(double angle) {
+    return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
 }  // namespace furrow

@@ -18,10 +18,6 @@ constexpr int kMostSteps = 4000;
 // A path that spins endlessly on the spot must not fill the memory.
 constexpr std::size_t kMostStates = 1'000'000;
 
-double wrapped(double angle) {
-    return std::remainder(angle, 2.0 * std::numbers::pi);
-}
-
 /// Interpolates between two samples by the cubic with their tangents. It is exact to the fourth order of
 /// their distance. Its direction is the heading, also if the curvature changes evenly.
 class Interval {

@@ -152,7 +152,7 @@ double chordErrorM2(const SegmentMotion& motion, double widthM) {
     return sum;
 }
 
-enum Layer : std::size_t {
+enum SweptLayer : std::size_t {
     kWorkable,
     kReach,
     kMainland,

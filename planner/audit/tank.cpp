@@ -12,7 +12,6 @@ namespace {
 
 // Of a tank: chords are shorter than bends, and drawing moves the ends of passes by centimetres.
 constexpr double kSameLevel = 0.005;
-constexpr double kStandingMps = 1e-6;
 constexpr double kSameTimeS = 1e-3;
 
 class TankMeter {

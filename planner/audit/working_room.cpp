@@ -21,10 +21,10 @@ constexpr int kHeadings = 48;
 // Steps on the way that is as long as the run-in.
 constexpr int kWayPoses = 2;
 /// A smaller excess does not count, as everywhere in the audit.
-constexpr double kOutsideM = 2.0 * kChordErrorM;
+constexpr double kTouchingM = 2.0 * kChordErrorM;
 /// Shorter edges give no direction for a pass.
 constexpr double kShortestEdgeM = 0.5;
-constexpr double kNoAreaM2 = 1e-9;
+constexpr double kFlatRingM2 = 1e-9;
 /// Edges whose directions differ by less are one direction to try.
 constexpr double kSameWay = 0.01;
 /// Approximate number of squares across a piece.
@@ -43,7 +43,8 @@ std::optional<Point> middleOf(const Ring& ring) {
         twice += part;
         sum = sum + part * (ring[i - 1] + ring[i] - 2.0 * ring[0]);
     }
-    return std::abs(twice) > kNoAreaM2 ? std::optional{ring[0] + (1.0 / (3.0 * twice)) * sum} : std::nullopt;
+    return std::abs(twice) > kFlatRingM2 ? std::optional{ring[0] + (1.0 / (3.0 * twice)) * sum}
+                                         : std::nullopt;
 }
 
 struct Rectangle {
@@ -110,11 +111,11 @@ WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, c
     const Footprint footprint = footprintOf(machine);
     const Point axle{-shape.implementOffsetM, -shape.lateralOffsetM};  // from the middle of the working line
     const Rectangle tractor{.middle = axle + Point{footprint.tractor.offsetM, 0.0},
-                            .halfLengthM = footprint.tractor.halfLengthM - kOutsideM,
-                            .halfWidthM = footprint.tractor.halfWidthM - kOutsideM};
+                            .halfLengthM = footprint.tractor.halfLengthM - kTouchingM,
+                            .halfWidthM = footprint.tractor.halfWidthM - kTouchingM};
     const Rectangle implement{.middle = {},
-                              .halfLengthM = std::max(0.0, footprint.lowered.halfLengthM - kOutsideM),
-                              .halfWidthM = footprint.lowered.halfWidthM - kOutsideM};
+                              .halfLengthM = std::max(0.0, footprint.lowered.halfLengthM - kTouchingM),
+                              .halfWidthM = footprint.lowered.halfWidthM - kTouchingM};
     // The connection of the two is thin.
     const Rectangle bar{
         .middle = {0.5 * axle.x, axle.y}, .halfLengthM = 0.5 * std::abs(axle.x), .halfWidthM = 0.0};

@@ -24,15 +24,15 @@ struct Shape {
     Polygon outline;
 };
 
-struct Objective {
+struct HeadingObjective {
     SwathObjective objective;
     std::string_view name;
     std::string_view words;
 };
-constexpr std::array kObjectives = {
-    Objective{SwathObjective::Count, "swath-count", "fewest swaths"},
-    Objective{SwathObjective::Length, "swath-length", "least swath length"},
-    Objective{SwathObjective::Coverage, "coverage", "most area covered"},
+constexpr std::array kHeadingObjectives = {
+    HeadingObjective{SwathObjective::Count, "swath-count", "fewest swaths"},
+    HeadingObjective{SwathObjective::Length, "swath-length", "least swath length"},
+    HeadingObjective{SwathObjective::Coverage, "coverage", "most area covered"},
 };
 
 struct Best {
@@ -44,12 +44,12 @@ struct Best {
 struct ShapeResult {
     std::string_view name;
     Polygon outline;
-    std::array<Best, kObjectives.size()> best;
-    std::array<std::vector<HeadingFigures>, kObjectives.size()> byHeading;
+    std::array<Best, kHeadingObjectives.size()> best;
+    std::array<std::vector<HeadingFigures>, kHeadingObjectives.size()> byHeading;
 
     const Best& by(SwathObjective objective) const {
-        const auto found = std::ranges::find(kObjectives, objective, &Objective::objective);
-        return best[static_cast<std::size_t>(found - kObjectives.begin())];
+        const auto found = std::ranges::find(kHeadingObjectives, objective, &HeadingObjective::objective);
+        return best[static_cast<std::size_t>(found - kHeadingObjectives.begin())];
     }
 };
 
@@ -60,8 +60,8 @@ Result<ShapeResult> examine(const Shape& shape, const JobContext& job) {
         headings.push_back(degrees(i));
     }
     ShapeResult result{.name = shape.name, .outline = shape.outline, .best = {}, .byHeading = {}};
-    for (std::size_t i = 0; i < kObjectives.size(); ++i) {
-        const SwathObjective objective = kObjectives[i].objective;
+    for (std::size_t i = 0; i < kHeadingObjectives.size(); ++i) {
+        const SwathObjective objective = kHeadingObjectives[i].objective;
         const auto best = bestHeading(scanLine, headings, objective, job);
         if (!best) {
             return std::unexpected(best.error());
@@ -88,7 +88,7 @@ Angle fromEdges(Angle heading, const Polygon& outline) {
     return radians(nearest);
 }
 
-std::vector<PaperStatement> statementsOf(const std::vector<ShapeResult>& results) {
+std::vector<PaperStatement> headingStatements(const std::vector<ShapeResult>& results) {
     std::vector<PaperStatement> statements;
     const auto turnStatement = [&](std::size_t shape, SwathObjective objective, int wanted,
                                    std::string paper) {
@@ -132,11 +132,11 @@ std::vector<PaperStatement> statementsOf(const std::vector<ShapeResult>& results
 std::string bestCsv(const std::vector<ShapeResult>& results) {
     std::string text = "shape,objective,heading_deg,swaths,turns,swath_length_m,coverage\n";
     for (const ShapeResult& result : results) {
-        for (std::size_t i = 0; i < kObjectives.size(); ++i) {
+        for (std::size_t i = 0; i < kHeadingObjectives.size(); ++i) {
             const Best& best = result.best[i];
             std::format_to(std::back_inserter(text), "{},{},{:.0f},{},{},{:.3f},{:.6f}\n", result.name,
-                           kObjectives[i].name, inDegrees(best.heading), best.figures.count, turns(best),
-                           best.figures.length.si(), best.figures.coverage);
+                           kHeadingObjectives[i].name, inDegrees(best.heading), best.figures.count,
+                           turns(best), best.figures.length.si(), best.figures.coverage);
         }
     }
     return text;
@@ -157,7 +157,7 @@ std::string headingsCsv(const std::vector<ShapeResult>& results) {
 std::string picturesSvg(const std::vector<ShapeResult>& results) {
     std::vector<MapPicture> pictures;
     for (const ShapeResult& result : results) {
-        for (std::size_t i = 0; i < kObjectives.size(); ++i) {
+        for (std::size_t i = 0; i < kHeadingObjectives.size(); ++i) {
             const Best& best = result.best[i];
             MapLayer swaths{.stroke = "#0072b2", .width = 1.6, .arrows = true};
             MapLayer strips{.fill = "#cfe3f1", .stroke = "#9cc4e0", .width = 0.6};
@@ -172,7 +172,7 @@ std::string picturesSvg(const std::vector<ShapeResult>& results) {
                                                              : Polyline{swath.end, swath.start});
             }
             pictures.push_back(
-                {.title = std::format("{}, {}", result.name, kObjectives[i].words),
+                {.title = std::format("{}, {}", result.name, kHeadingObjectives[i].words),
                  .note =
                      std::format("{:.0f}° · {} swaths, {:.1f} m · {:.1f} % covered", inDegrees(best.heading),
                                  best.figures.count, best.figures.length.si(), 100.0 * best.figures.coverage),
@@ -184,7 +184,7 @@ std::string picturesSvg(const std::vector<ShapeResult>& results) {
         }
     }
     return svgOf(
-        pictures, static_cast<int>(kObjectives.size()), "Best heading by each objective",
+        pictures, static_cast<int>(kHeadingObjectives.size()), "Best heading by each objective",
         "Fields of 100 m², no headland, swaths of 2.5 m, every whole degree; what does not fit a whole swath "
         "stays uncovered. Headings counter-clockwise from east.");
 }
@@ -238,7 +238,7 @@ Result<PaperExperiment> paperHeadings(const JobContext& job) {
     return PaperExperiment{
         .number = 1,
         .title = "Best heading by each objective",
-        .statements = statementsOf(results),
+        .statements = headingStatements(results),
         .notes =
             {"The paper's outlines are not public; these are a rectangle, an ellipse of 20 corners and a "
              "parallelogram of 100 m², as long as its numbers of turns suggest for swaths of 2.5 m.",

@@ -19,8 +19,9 @@ struct Choice {
     std::string_view id;
     std::string_view words;
 };
-constexpr std::array kObjectives = {Choice{"swath-count", "number of swaths"},
-                                    Choice{"swath-length", "swath length"}, Choice{"coverage", "coverage"}};
+constexpr std::array kTurningObjectives = {Choice{"swath-count", "number of swaths"},
+                                           Choice{"swath-length", "swath length"},
+                                           Choice{"coverage", "coverage"}};
 constexpr std::array kPatterns = {Choice{"boustrophedon", "Boustrophedon"}, Choice{"snake", "Snake"},
                                   Choice{"spiral", "Spiral"}};
 constexpr std::array kCurves = {Choice{"dubins", "Dubins"}, Choice{"reeds-shepp", "Reeds-Shepp"}};
@@ -44,7 +45,7 @@ struct Run {
 
 template <class Visit>
 Result<void> forEachCombination(Visit&& visit) {
-    for (std::size_t o = 0; o < kObjectives.size(); ++o) {
+    for (std::size_t o = 0; o < kTurningObjectives.size(); ++o) {
         for (std::size_t p = 0; p < kPatterns.size(); ++p) {
             for (std::size_t c = 0; c < kCurves.size(); ++c) {
                 if (Result<void> visited = visit(Combination{o, p, c}); !visited) {
@@ -57,7 +58,7 @@ Result<void> forEachCombination(Visit&& visit) {
 }
 
 Result<Settings> settingsOf(const Combination& combination) {
-    return paperSettings({{"swaths.objective", kObjectives[combination.objective].id},
+    return paperSettings({{"swaths.objective", kTurningObjectives[combination.objective].id},
                           {"route.method", kPatterns[combination.pattern].id},
                           {"path.method", kCurves[combination.curve].id}});
 }
@@ -71,14 +72,14 @@ Result<std::shared_ptr<const Field>> hectareOf(const FieldSource& source) {
     return fieldOf(scaledTo(field->boundary().front(), kFieldArea), source.name);
 }
 
-std::string csvOf(const std::vector<Run>& runs) {
+std::string turningCsv(const std::vector<Run>& runs) {
     std::string text =
         "field,objective,pattern,curve,length_in_place_m,length_m,swath_length_m,swaths,turn_share\n";
     for (const Run& run : runs) {
         std::format_to(std::back_inserter(text), "{},{},{},{},{:.3f},{:.3f},{:.3f},{},{:.5f}\n", run.field,
-                       kObjectives[run.combination.objective].id, kPatterns[run.combination.pattern].id,
-                       kCurves[run.combination.curve].id, run.inPlaceM, run.turningM, run.swathM, run.swaths,
-                       run.turnShare());
+                       kTurningObjectives[run.combination.objective].id,
+                       kPatterns[run.combination.pattern].id, kCurves[run.combination.curve].id, run.inPlaceM,
+                       run.turningM, run.swathM, run.swaths, run.turnShare());
     }
     return text;
 }
@@ -91,10 +92,10 @@ std::string plotsOf(const std::vector<Run>& runs) {
         high = std::max({high, run.inPlaceM, run.turningM});
     }
     std::vector<Chart> charts;
-    for (std::size_t o = 0; o < kObjectives.size(); ++o) {
+    for (std::size_t o = 0; o < kTurningObjectives.size(); ++o) {
         for (std::size_t p = 0; p < kPatterns.size(); ++p) {
             // The same range in all nine charts, so that they can be compared at a glance.
-            Chart chart{.title = std::format("{}, by {}", kPatterns[p].words, kObjectives[o].words),
+            Chart chart{.title = std::format("{}, by {}", kPatterns[p].words, kTurningObjectives[o].words),
                         .note = {},
                         .x = {.title = "L\u2080, turns in place (m)", .min = low, .max = high},
                         .y = {.title = "L with real turns (m)", .min = low, .max = high},
@@ -135,7 +136,7 @@ double mean(const std::vector<Run>& runs, Fits fits, Value value) {
     return count == 0 ? 0.0 : sum / count;
 }
 
-std::vector<PaperStatement> statementsOf(const std::vector<Run>& runs) {
+std::vector<PaperStatement> turningStatements(const std::vector<Run>& runs) {
     const auto [least, most] = std::ranges::minmax(runs, {}, &Run::turnShare);
     std::vector<PaperStatement> statements;
     // The paper's range is for its own shapes. Only the order of magnitude can agree.
@@ -163,8 +164,8 @@ std::vector<PaperStatement> statementsOf(const std::vector<Run>& runs) {
                                                dubins[0], dubins[1], dubins[2]),
                           .agrees = dubins[0] > dubins[1] || dubins[0] > dubins[2]});
 
-    std::array<double, kObjectives.size()> swathM{};
-    for (std::size_t o = 0; o < kObjectives.size(); ++o) {
+    std::array<double, kTurningObjectives.size()> swathM{};
+    for (std::size_t o = 0; o < kTurningObjectives.size(); ++o) {
         swathM[o] = mean(
             runs, [o](const Combination& c) { return c.objective == o && c.pattern == 0; },
             [](const Run& run) { return run.turningM; });
@@ -233,10 +234,11 @@ Result<PaperExperiment> paperTurning(std::span<const FieldSource> fields, const 
                   .where = "--fields",
                   .remedy = "give convex fields that are wider than 20 m when scaled to 1 ha"});
     }
-    experiment.statements = statementsOf(runs);
+    experiment.statements = turningStatements(runs);
     experiment.notes.push_back(std::format(
         "The paper's 38 outlines are not public; {} fields of ours, scaled to 1 ha.", runs.size() / 18));
-    experiment.files = {{"experiment2_lengths.csv", csvOf(runs)}, {"experiment2_lengths.svg", plotsOf(runs)}};
+    experiment.files = {{"experiment2_lengths.csv", turningCsv(runs)},
+                        {"experiment2_lengths.svg", plotsOf(runs)}};
     return experiment;
 }
 

@@ -23,8 +23,8 @@ namespace furrow {
 
 namespace {
 
-constexpr int kHeadings = 180;
-constexpr Length kWidth = metres(2.5);
+constexpr int kTimedHeadings = 180;
+constexpr Length kTimedWidth = metres(2.5);
 // Headings that one run of the yardstick tries, on small fields and on others.
 constexpr int kFewHeadings = 30;
 constexpr int kFewestHeadings = 2;
@@ -122,17 +122,17 @@ private:
 
     Result<void> headings() {
         const Polygon field = waveField(1.0, 20);
-        const ScanLine scanLine{{field}, {.width = kWidth, .overlap = {}}};
+        const ScanLine scanLine{{field}, {.width = kTimedWidth, .overlap = {}}};
         int turn = 0;
-        const auto next = [&turn] { return degrees(turn++ % kHeadings); };
+        const auto next = [&turn] { return degrees(turn++ % kTimedHeadings); };
         addCase(
             caseOf("one heading, number and length of swaths", field, 1),
             [&] { keep(scanLine.lineFigures(next(), SwathObjective::Count).length.si()); },
-            [&] { keep(plainFigures(field, kWidth, next(), false).length.si()); });
+            [&] { keep(plainFigures(field, kTimedWidth, next(), false).length.si()); });
         addCase(
             caseOf("one heading, all swath objectives", field, 1),
             [&] { keep(scanLine.figures(next()).coverage); },
-            [&] { keep(plainFigures(field, kWidth, next(), true).coverage); });
+            [&] { keep(plainFigures(field, kTimedWidth, next(), true).coverage); });
         return stopped();
     }
 
@@ -154,7 +154,7 @@ private:
         int turn = 0;
         const auto plain = [&] {
             for (int i = 0; i < tried && !job_.stopRequested(); ++i, turn += kStride) {
-                keep(plainFigures(field, kWidth, degrees(turn % kHeadings), objective == "coverage")
+                keep(plainFigures(field, kTimedWidth, degrees(turn % kTimedHeadings), objective == "coverage")
                          .length.si());
             }
         };
@@ -166,7 +166,7 @@ private:
                         task, {.stop = job_.stop, .progress = {}, .threads = threads});
                     keep(set ? set->coverage : 0.0);
                 },
-                plain, static_cast<double>(kHeadings) / tried);
+                plain, static_cast<double>(kTimedHeadings) / tried);
         }
         return stopped();
     }

@@ -21,7 +21,7 @@ namespace furrow {
 namespace {
 
 // Distance above or below a ledge at which its surroundings are tested.
-constexpr double kLevelM = 1e-6;
+constexpr double kProbeM = 1e-6;
 // Edges shorter than this, or than half a width, belong to a bend. Arcs of up to 100 m are drawn in such
 // edges.
 constexpr Length kBend = metres(3.0);
@@ -97,7 +97,7 @@ private:
 /// Adds cuts from a ledge to the nearest edges on its left and right, on the side where the mainland is open:
 /// above it, or below if `side` is -1.
 void addCuts(const EdgesByHeight& mainland, const Ledge& ledge, double side, std::vector<Polyline>& cuts) {
-    const double probe = 0.5 * (ledge.left.y + ledge.right.y) + side * kLevelM;
+    const double probe = 0.5 * (ledge.left.y + ledge.right.y) + side * kProbeM;
     std::vector<double> crossings = mainland.crossings(probe);
     std::ranges::sort(crossings);
     for (std::size_t i = 1; i < crossings.size(); i += 2) {

@@ -1,5 +1,7 @@
 #include "planner/decomposition/joining.h"
 
+#include "planner/decomposition/ledges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,8 +15,6 @@ namespace furrow {
 
 namespace {
 
-// Cuts with a smaller difference of height lie on one line.
-constexpr double kLevelM = 1e-6;
 // Shorter borders join nothing.
 constexpr double kLeastBorderM = 0.5;
 // A smaller gain is rounding.

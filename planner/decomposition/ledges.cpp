@@ -9,8 +9,6 @@ namespace furrow {
 
 namespace {
 
-// Corners with a smaller difference of height lie on one line.
-constexpr double kLevelM = 1e-6;
 // A larger turn at one point is a corner there, not part of a bend.
 constexpr double kSharpRad = 35.0 * std::numbers::pi / 180.0;
 constexpr double kLeastCornerRad = 5.0 * std::numbers::pi / 180.0;

@@ -6,6 +6,9 @@
 
 namespace furrow {
 
+/// Corners and cuts with a smaller difference of height lie on one line.
+inline constexpr double kLevelM = 1e-6;
+
 /// A level stretch of a ring, usually one corner, between the two edges that leave it.
 struct Ledge {
     Point left;

@@ -11,7 +11,7 @@ namespace furrow {
 namespace {
 
 // An extended line reaches this far across the edge or line at its end, so that it is cut through.
-constexpr double kAcrossM = 1e-3;
+constexpr double kPastEdgeM = 1e-3;
 
 /// The distance from a point ahead to a segment. Infinite if it is not met.
 double aheadM(Point from, Point along, Point a, Point b) {
@@ -44,7 +44,7 @@ public:
                 Polyline& line = result.lines[i];
                 const Point place = pointAt(end);
                 if (*missing <= most_) {
-                    const Point on = place + (missing->si() + kAcrossM) * directionAt(end);
+                    const Point on = place + (missing->si() + kPastEdgeM) * directionAt(end);
                     line.insert(isLast ? line.end() : line.begin(), on);
                 } else if (!fault || *missing > *fault->missing) {
                     fault = SplitFault{.line = i, .place = place, .missing = missing};

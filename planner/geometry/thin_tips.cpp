@@ -9,9 +9,9 @@ namespace furrow {
 namespace {
 
 // Blunter corners are left alone: cutting them gains nothing. The cosine of 30 degrees.
-constexpr double kSharpCosine = 0.866;
+constexpr double kSpikeCosine = 0.866;
 // Sides of a spike whose lengths differ by less are equally long.
-constexpr double kSameM = 1e-9;
+constexpr double kSameLengthM = 1e-9;
 // A tip that ends at two points keeps them, where its width is reached. A shorter one stays as it is.
 constexpr double kLeastWidths = 4.0;
 // A ring of n points is done after some n cuts.
@@ -63,7 +63,7 @@ private:
         const double backM = norm(back);
         const double onwardM = norm(onward);
         const double cosine = dot(back, onward) / (backM * onwardM);
-        const bool isTip = cross(back, onward) < 0.0 && cosine > kSharpCosine;
+        const bool isTip = cross(back, onward) < 0.0 && cosine > kSpikeCosine;
         if (!isTip) {
             return;
         }
@@ -79,7 +79,7 @@ private:
             }
             return;
         }
-        if (std::abs(backM - onwardM) < kSameM) {
+        if (std::abs(backM - onwardM) < kSameLengthM) {
             drop(i);
         } else {
             corners_[i].at = at + (backM < onwardM ? (backM / onwardM) * onward : (onwardM / backM) * back);

@@ -48,9 +48,9 @@ Result<Headland> constantWidth(const HeadlandTask& task, const JobContext& job) 
     return headlandOf(std::move(wanted), task, job);
 }
 
-constexpr const Parameter* kParameters[] = {&kHeadlandPasses, &kHeadlandWidth, &kHeadlandDriven,
-                                            &kHeadlandOrder,  &kHeadlandWhen,  &kHeadlandDirection,
-                                            &kHeadlandCorner, &kHeadlandFinish};
+constexpr const Parameter* kConstantWidthParameters[] = {
+    &kHeadlandPasses, &kHeadlandWidth,     &kHeadlandDriven, &kHeadlandOrder,
+    &kHeadlandWhen,   &kHeadlandDirection, &kHeadlandCorner, &kHeadlandFinish};
 
 }  // namespace
 
@@ -82,7 +82,7 @@ const Method<HeadlandGenerator> kConstantWidthMethod{
     .info = {.id = "constant",
              .name = "Same width all round",
              .description = "A strip of the same width along the boundary and around obstacles, for turning.",
-             .parameters = kParameters},
+             .parameters = kConstantWidthParameters},
     .run = constantWidth,
     .traits = {.isOneWidth = true}};
 

@@ -22,11 +22,9 @@ constexpr double kCornerRadii = 2.0;
 constexpr double kSmallestCornerRad = std::numbers::pi / 4.0;
 // A larger turn is a loop round something, not a corner.
 constexpr double kLargestCornerRad = 5.0 * std::numbers::pi / 6.0;
-// Into a sharp corner the machine drives no farther than 2 widths past the point where the sides meet.
-constexpr double kMostWidthsOnward = 2.0;
 // A straight shorter than this between arcs belongs to the corner.
-constexpr double kLeastStraightM = 0.5;
-constexpr double kStepM = 0.1;
+constexpr double kSideStraightM = 0.5;
+constexpr double kOnwardStepM = 0.1;
 constexpr double kSameHeadingRad = 1e-9;
 
 bool isSame(const Pose& a, const Pose& b) {
@@ -46,7 +44,7 @@ Pose poseBefore(const Curve& line, std::size_t piece) {
 Curve fromAStraight(const Curve& line) {
     const auto first = std::ranges::find_if(line.pieces, [](const CurvePiece& piece) {
         return piece.curvature == Curvature{} && piece.endCurvature == Curvature{} &&
-               piece.length.si() >= kLeastStraightM;
+               piece.length.si() >= kSideStraightM;
     });
     if (first == line.pieces.end()) {
         return line;
@@ -83,7 +81,7 @@ std::optional<Manoeuvre> manoeuvre(const Curve& line, const RoundedCorner& corne
     const double lead = -machine.spec().implement.offset.si();
     const auto farthest = [&](const Pose& from, double sign, double wanted) {
         double best = 0.0;
-        for (double m = kStepM; m <= wanted; m += kStepM) {
+        for (double m = kOnwardStepM; m <= wanted; m += kOnwardStepM) {
             const Pose pose{.position = from.position + sign * m * direction(from.heading.si()),
                             .heading = from.heading};
             if (!working.isInside(pose)) {
@@ -152,7 +150,7 @@ std::vector<RoundedCorner> roundedCorners(const Curve& line, Length radius) {
         double arcM = 0.0;
         for (; i < line.pieces.size(); ++i) {
             const CurvePiece& piece = line.pieces[i];
-            if (!isSharp(piece) && piece.length.si() >= kLeastStraightM) {
+            if (!isSharp(piece) && piece.length.si() >= kSideStraightM) {
                 break;
             }
             turnRad += 0.5 * (piece.curvature + piece.endCurvature).si() * piece.length.si();

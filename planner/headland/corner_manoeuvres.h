@@ -9,6 +9,9 @@
 
 namespace furrow {
 
+/// Into a sharp corner the machine drives no farther than 2 widths past the point where the sides meet.
+inline constexpr double kMostWidthsOnward = 2.0;
+
 /// A corner that a rounded pass leaves uncut.
 struct RoundedCorner {
     std::size_t firstPiece = 0;  ///< of the line: the first arc that rounds it

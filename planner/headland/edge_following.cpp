@@ -16,16 +16,16 @@ namespace furrow {
 
 namespace {
 
-constexpr double kStepM = 0.25;
+constexpr double kStationStepM = 0.25;
 constexpr double kClosestM = 0.05;
 // Kept from the edge for the error of the first order. Lines that are flush with the edge do not need it.
-constexpr double kReserveM = 0.01;
+constexpr double kFirstOrderReserveM = 0.01;
 constexpr double kFlushM = 1e-3;
 // A station that bends more than this share of the machine's sharpest bend can only move in.
 constexpr double kBentShare = 0.5;
 // Smaller moves are ignored.
 constexpr double kSettledM = 2e-5;
-constexpr int kMostRounds = 1000;
+constexpr int kMostSettlings = 1000;
 // Number of rounds in which both sides of a bend towards the edge move in, and their share of the excess.
 constexpr int kGivingRounds = 20;
 constexpr double kGiven = 0.5;
@@ -68,7 +68,7 @@ std::vector<Station> stationsOf(const Curve& line, const FollowingRules& rules) 
     Pose begins = line.start;
     for (const CurvePiece& piece : line.pieces) {
         const Pose ends = advanced(begins, piece, piece.length);
-        const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kStepM)));
+        const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length.si() / kStationStepM)));
         if (piece.curvature != Curvature{} && rules.leavesOut(begins.position) &&
             rules.leavesOut(ends.position)) {
             const Point ahead = direction(begins.heading.si());
@@ -199,7 +199,7 @@ private:
         const Point ahead = direction(station.pose.heading.si());
         const Point at = station.pose.position + feeler.at.x * ahead + feeler.at.y * Point{-ahead.y, ahead.x};
         const double insideM = edges.insideM(at).value_or(edges.reachM()) - beside.si();
-        return (std::abs(insideM) < kFlushM ? 0.0 : kReserveM) - insideM;
+        return (std::abs(insideM) < kFlushM ? 0.0 : kFirstOrderReserveM) - insideM;
     }
 
     void raise(std::size_t i, double wantedM) {
@@ -241,7 +241,7 @@ private:
     }
 
     void settle() {
-        for (int round = 0; std::exchange(changed_, false) && round < kMostRounds; ++round) {
+        for (int round = 0; std::exchange(changed_, false) && round < kMostSettlings; ++round) {
             for (auto i = pending_.from(0); i; i = pending_.from(*i + 1)) {
                 ask(*i);
             }

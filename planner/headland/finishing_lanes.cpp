@@ -25,7 +25,7 @@ namespace {
 constexpr double kLeastGainOfStay = 0.1;
 constexpr double kSmallestGainShare = 0.005;
 constexpr double kLeastGainShare = 0.02;
-constexpr double kLookM = 0.15;
+constexpr double kLaneLookM = 0.15;
 // Distance kept from an edge, so that the machine can leave it again.
 constexpr double kBesideEdgeM = 0.02;
 // Shorter edges, as a share of the width, give no direction for a pass.
@@ -33,7 +33,7 @@ constexpr double kShortestEdgeShare = 0.3;
 // A pass goes no farther than 4 widths beyond the edge it lies beside.
 constexpr double kBeyondWidths = 4.0;
 // Edges within this distance lie beside a piece.
-constexpr double kNearM = 0.5;
+constexpr double kBesidePieceM = 0.5;
 // Passes whose ends are closer than this share of the width are equal.
 constexpr double kSamePassShare = 0.15;
 // Distances of a pass from its flush position beside an edge, as shares of the width.
@@ -82,8 +82,10 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
     };
     const Bounds box = bounds({piece});
     const auto isNear = [&](Point a, Point b) {
-        return std::min(a.x, b.x) < box.max.x + kNearM && std::max(a.x, b.x) > box.min.x - kNearM &&
-               std::min(a.y, b.y) < box.max.y + kNearM && std::max(a.y, b.y) > box.min.y - kNearM;
+        return std::min(a.x, b.x) < box.max.x + kBesidePieceM &&
+               std::max(a.x, b.x) > box.min.x - kBesidePieceM &&
+               std::min(a.y, b.y) < box.max.y + kBesidePieceM &&
+               std::max(a.y, b.y) > box.min.y - kBesidePieceM;
     };
     const auto addRing = [&](const Ring& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -290,7 +292,7 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
             endsM = std::max(endsM, m);
         }
     }
-    if (candidate.gainM2 < leastGainM2() || endsM - beginsM <= 2.0 * kLookM) {
+    if (candidate.gainM2 < leastGainM2() || endsM - beginsM <= 2.0 * kLaneLookM) {
         return std::nullopt;
     }
     candidate.from = lane.on + beginsM * lane.along;
@@ -316,7 +318,7 @@ std::vector<FinishingLane> FinishingLanes::free(const FinishingLane& lane) const
     std::optional<double> begun;
     bool isFree = false;
     double knownToM = -std::numeric_limits<double>::infinity();
-    for (double m = lane.fromM;; m += kLookM) {
+    for (double m = lane.fromM;; m += kLaneLookM) {
         const double here = std::min(m, lane.toM);
         // A place that is inside or outside by a distance stays so for the same distance along the lane.
         if (here >= knownToM) {
@@ -328,8 +330,8 @@ std::vector<FinishingLane> FinishingLanes::free(const FinishingLane& lane) const
             begun = here;
         }
         if (begun && (!isFree || here == lane.toM)) {
-            const double end = isFree ? here : here - kLookM;
-            if (end - *begun > runInM_ + 2.0 * kLookM) {
+            const double end = isFree ? here : here - kLaneLookM;
+            if (end - *begun > runInM_ + 2.0 * kLaneLookM) {
                 free.push_back(lane);
                 free.back().fromM = *begun;
                 free.back().toM = end;

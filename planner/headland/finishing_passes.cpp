@@ -14,7 +14,7 @@ namespace furrow {
 namespace {
 
 // A piece of land within this distance of an edge lies at it.
-constexpr double kNearM = 0.5;
+constexpr double kAtEdgeM = 0.5;
 
 Point halfWay(const Curve& line) {
     return partOf(line, {}, 0.5 * line.length()).end().position;
@@ -97,7 +97,7 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
                          const BoundaryDistance& edges, Chosen& chosen, const JobContext& job) {
     const auto isAtEdge = [&](const Polygon& piece) {
         return std::ranges::any_of(
-            piece.outer, [&](Point place) { return edges.insideM(place).value_or(kNearM) < kNearM; });
+            piece.outer, [&](Point place) { return edges.insideM(place).value_or(kAtEdgeM) < kAtEdgeM; });
     };
     const auto isRefused = [&](const Curve& line) { return finder.isRefused(line); };
     std::size_t givenUp = 0;

@@ -31,7 +31,7 @@ constexpr double kSameMiddleM = 1.0;
 // tried round places this far inwards from the middle of a circle that just fits.
 constexpr std::array kInwardsM{0.05, 0.2, 0.5, 1.0, 1.8, 3.0};
 constexpr int kBegins = 32;
-constexpr double kMostRounds = 1.25;
+constexpr double kMostCircles = 1.25;
 // A bend does not begin right beside the piece, because it needs some way to become as sharp as possible.
 constexpr double kLeastBeforeRad = 0.3;
 // A bent hitch is in line again after this many lengths of the trailed part, driven straight. The shorter
@@ -95,7 +95,8 @@ FullLockPasses::FullLockPasses(const Rig& lowered, PassAccessFinder access,
       access_{std::move(access)},
       trailer_{Trailer::of(lowered.machine())},
       look_{trailer_ ? std::min(kLook, trailer_->longestStep()) : kLook},
-      bends_{FullLockBend{lowered, 1.0, kMostRounds, look_}, FullLockBend{lowered, -1.0, kMostRounds, look_}},
+      bends_{FullLockBend{lowered, 1.0, kMostCircles, look_},
+             FullLockBend{lowered, -1.0, kMostCircles, look_}},
       radiusM_{lowered.machine().minTurningRadius().si()},
       trials_{trials != nullptr ? std::move(trials) : std::make_shared<FullLockTrials>()} {}
 

@@ -3,6 +3,7 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/curve_parts.h"
 #include "planner/geometry/geos_bridge.h"
+#include "planner/headland/corner_manoeuvres.h"
 #include "planner/headland/smooth_ring.h"
 #include "planner/turns/allowed_edges.h"
 
@@ -23,15 +24,13 @@ constexpr double kUncutShare = 0.1;
 constexpr Area kMostUncut = squareMetres(10.0);
 // Largest move of the line where corners are merged, as a share of the width.
 constexpr double kMergeShare = 0.05;
-// Into a sharp corner the machine drives no farther than 2 widths past the point where the sides meet.
-constexpr double kMostWidthsOnward = 2.0;
-constexpr double kLookM = 0.1;
+constexpr double kInnerLookM = 0.1;
 // Step to find the place where a pass enters another strip.
 constexpr double kCutM = 0.5;
 // Shorter parts, in widths, belong to the join with the pass around the corner.
 constexpr double kLeastPart = 0.5;
 // From the middle of a pass, as a share of its width.
-constexpr double kAlmostHalf = 0.45;
+constexpr double kAlmostHalfPass = 0.45;
 // Stretches shorter than this share of the width are not worth lowering the implement for.
 constexpr double kShortest = 0.2;
 // Strips smaller than this share of the square of the width, or narrower than this, are left.
@@ -61,9 +60,10 @@ struct Room {
     double farthest(const Pose& from, double sign, double wantedM, double leastM = 0.0) const {
         double best = std::min(0.0, wantedM);
         while (best > leastM && !isFreeAt(from, sign * best)) {
-            best -= kLookM;
+            best -= kInnerLookM;
         }
-        for (double m = best + kLookM; m <= wantedM + 1e-9 && isFreeAt(from, sign * m); m += kLookM) {
+        for (double m = best + kInnerLookM; m <= wantedM + 1e-9 && isFreeAt(from, sign * m);
+             m += kInnerLookM) {
             best = m;
         }
         return std::max(best, leastM);
@@ -324,13 +324,13 @@ std::vector<HeadlandPass> partsOf(const std::vector<HeadlandPass>& passes,
     const auto leftM = [&](const Pose& from, double sign) {
         const Point ahead = direction(from.heading.si());
         const auto isLeftAt = [&](double m) {
-            return std::ranges::any_of(std::array{-kAlmostHalf, 0.0, kAlmostHalf}, [&](double side) {
+            return std::ranges::any_of(std::array{-kAlmostHalfPass, 0.0, kAlmostHalfPass}, [&](double side) {
                 return isLeft(from.position + sign * m * ahead + side * widthM * Point{-ahead.y, ahead.x});
             });
         };
         double m = 0.0;
-        while (m < kMostWidthsOnward * widthM && isLeftAt(m + kLookM)) {
-            m += kLookM;
+        while (m < kMostWidthsOnward * widthM && isLeftAt(m + kInnerLookM)) {
+            m += kInnerLookM;
         }
         return m;
     };

@@ -42,7 +42,7 @@ Result<Headland> noHeadland(const HeadlandTask& task, const JobContext& job) {
     return headland;
 }
 
-constexpr const Parameter* kParameters[] = {&kHeadlandFinish};
+constexpr const Parameter* kNoHeadlandParameters[] = {&kHeadlandFinish};
 
 }  // namespace
 
@@ -53,7 +53,7 @@ const Method<HeadlandGenerator> kNoHeadlandMethod{
          .description =
              "Swaths reach to the boundary; for fields with room to turn outside, and for machines that turn "
              "on the spot.",
-         .parameters = kParameters},
+         .parameters = kNoHeadlandParameters},
     .run = noHeadland};
 
 }  // namespace furrow

@@ -33,7 +33,7 @@ constexpr std::array kRadiusReserves{1.02, 1.1, 1.25};
 constexpr double kDrawingM = 4e-3;
 const auto everywhere = [](Point) { return true; };
 // Added to the observed move, so that the line also stays inside between the sampled places.
-constexpr double kReserveM = 0.01;
+constexpr double kSampledReserveM = 0.01;
 constexpr double kReserveFactor = 1.15;
 constexpr int kMostMoves = 10;
 // Step for the check when a line has to be cut.
@@ -91,7 +91,7 @@ std::vector<Excess> excessesAlong(const Curve& line, const Rig& rig, double apar
         if (outsideM <= kTrackContactM) {
             return;
         }
-        const double moveM = kReserveFactor * outsideM + kReserveM;
+        const double moveM = kReserveFactor * outsideM + kSampledReserveM;
         if (hereM - lastM >= apartM || found.empty()) {
             found.push_back({at.tractor.position, moveM, outsideM});
             lastM = hereM;
@@ -355,7 +355,7 @@ Result<PassTracks> passTracks(const MultiPolygon& workable, Length inset, const 
                 const bool canBeLeft =
                     std::ranges::any_of(found, [&](const Excess& excess) { return excess.moveM >= swingM; });
                 if (round == 0 && touches && !canBeLeft && rules.driven.empty()) {
-                    excesses.push_back({begins[i], kReserveFactor * swingM + kReserveM, 0.0});
+                    excesses.push_back({begins[i], kReserveFactor * swingM + kSampledReserveM, 0.0});
                 }
             }
             return excesses;

@@ -16,9 +16,9 @@ namespace {
 // A side without swath ends needs no pass if it is straight within this distance.
 constexpr double kStraightM = 0.05;
 constexpr double kSameHeading = 1e-9;
-constexpr int kMostRounds = 4;
+constexpr int kMostWiderings = 4;
 // Distance from the middle of a swath to test points near its sides, as a share of its width.
-constexpr double kAlmostHalf = 0.45;
+constexpr double kAlmostHalfSwath = 0.45;
 
 double angleBetween(const Pose& leaving, const EdgeStrip& strip) {
     const Point along = strip.to - strip.from;
@@ -31,7 +31,7 @@ std::vector<std::size_t> edgesAhead(const Pose& leaving, const EdgeStrips& strip
                                     Length within) {
     std::vector<std::size_t> edges;
     const Point ahead = direction(leaving.heading.si());
-    for (const double side : {-kAlmostHalf, 0.0, kAlmostHalf}) {
+    for (const double side : {-kAlmostHalfSwath, 0.0, kAlmostHalfSwath}) {
         const Point from =
             leaving.position + side * task.machine.operatingWidth().si() * Point{-ahead.y, ahead.x};
         const auto edge = strips.ahead({.position = from, .heading = leaving.heading}, within);
@@ -110,7 +110,7 @@ Result<Headland> perEdge(const HeadlandTask& task, const JobContext& job) {
     }
     wanted.strips = narrowest(task, *ends);
     // A wider strip may move swath ends elsewhere, or turn all swaths.
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostWiderings; ++round) {
         const auto mainland = withoutStrips(task.workable(), wanted.strips, job);
         if (!mainland) {
             return std::unexpected(mainland.error());
@@ -129,8 +129,8 @@ Result<Headland> perEdge(const HeadlandTask& task, const JobContext& job) {
     return headlandOf(std::move(wanted), task, job);
 }
 
-constexpr const Parameter* kParameters[] = {&kHeadlandDriven,    &kHeadlandOrder,  &kHeadlandWhen,
-                                            &kHeadlandDirection, &kHeadlandCorner, &kHeadlandFinish};
+constexpr const Parameter* kPerEdgeParameters[] = {&kHeadlandDriven,    &kHeadlandOrder,  &kHeadlandWhen,
+                                                   &kHeadlandDirection, &kHeadlandCorner, &kHeadlandFinish};
 
 }  // namespace
 
@@ -140,7 +140,7 @@ const Method<HeadlandGenerator> kPerEdgeMethod{
          .name = "Only where it turns",
          .description =
              "Along each edge as wide as the turns there need it; a single pass where no swath ends, or nothing if it is not worked.",
-         .parameters = kParameters},
+         .parameters = kPerEdgeParameters},
     .run = perEdge};
 
 }  // namespace furrow

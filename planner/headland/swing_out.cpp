@@ -34,7 +34,7 @@ bool isStraight(const CurvePiece& piece) {
 }
 
 /// Bends in the same direction with little between them, from one straight to another, mirrored to turn left.
-struct Corner {
+struct SwingCorner {
     std::size_t last = 0;  ///< piece
     double turnRad = 0.0;
     double side = 1.0;    ///< 1 to the left
@@ -43,9 +43,9 @@ struct Corner {
 };
 
 /// The corner that begins after a straight. Empty if it is not worth a swing.
-std::optional<Corner> cornerAfter(const std::vector<CurvePiece>& pieces, std::size_t straight,
-                                  const Pose& begins, double radiusM) {
-    Corner corner;
+std::optional<SwingCorner> cornerAfter(const std::vector<CurvePiece>& pieces, std::size_t straight,
+                                       const Pose& begins, double radiusM) {
+    SwingCorner corner;
     double turnRad = 0.0;
     double lengthM = 0.0;
     double arcsM = 0.0;
@@ -90,7 +90,7 @@ struct Swing {
     std::array<CurvePiece, 2> arcs;
 };
 
-Swing swingOf(const Corner& corner, double overRad, double radiusM) {
+Swing swingOf(const SwingCorner& corner, double overRad, double radiusM) {
     const double farthest = corner.turnRad + overRad;
     // Left by `farthest`, then right by `overRad`, from the origin along x.
     const double endX = radiusM * (2.0 * std::sin(farthest) - std::sin(corner.turnRad));

@@ -34,7 +34,7 @@ constexpr double kInLineRad = 1e-3;
 constexpr double kShortestWayM = 1e-3;
 constexpr double kSameTurnRad = 1e-9;
 // A smaller excess of passes and ways along the edge comes from drawing, as in the audit.
-constexpr Length kDrawing = metres(0.01);
+constexpr Length kPassDrawing = metres(0.01);
 
 Ring shrunken(Ring footprint) {
     for (Point& corner : footprint) {
@@ -208,7 +208,7 @@ std::optional<BlockedConnection> farthestAlong(std::span<const RigState> states,
             worst = state;
         }
     }
-    if (farthest.outside <= kDrawing) {
+    if (farthest.outside <= kPassDrawing) {
         return std::nullopt;
     }
     farthest.place = worst.tractor.position;
@@ -243,7 +243,7 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
     blocked.obstacle = !beyondLand;
     const auto farthest = beyondLand ? beyondLand : drivable.farthestOutside(lines);
     // A smaller excess may come from drawing, so the area counts as covered.
-    if (!farthest || farthest->distance <= kDrawing) {
+    if (!farthest || farthest->distance <= kPassDrawing) {
         return std::nullopt;
     }
     blocked.place = farthest->point;
@@ -272,7 +272,7 @@ std::optional<BlockedConnection> farthestOnWay(std::span<const RigState> states,
 }
 
 /// Beyond this number of numbers all are forgotten: some megabytes.
-constexpr std::size_t kMostKept = 500'000;
+constexpr std::size_t kMostNumbersKept = 500'000;
 
 /// Results by what was driven, number by number.
 class KnownWays {
@@ -299,7 +299,7 @@ public:
 private:
     void add(Key key, const Found& found) {
         const std::scoped_lock lock{mutex_};
-        if (kept_ + key.size() > kMostKept) {
+        if (kept_ + key.size() > kMostNumbersKept) {
             known_.clear();
             kept_ = 0;
         }

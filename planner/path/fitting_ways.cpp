@@ -12,7 +12,7 @@ namespace {
 // Total room beside the tractor in a neck. Quick searches do not look for ways through narrower necks.
 constexpr Length kNeckSpare = metres(0.8);
 // Beyond this number of results all are forgotten: some ten megabytes.
-constexpr std::size_t kMostKept = 20'000;
+constexpr std::size_t kMostWaysKept = 20'000;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::optional<Curve> WaySearches::between(const Pose& leaving, const Pose& arriv
         fittingConnection(rig_, leaving, arriving, travel_, job, effort, straights(job));
     if (!job.stopRequested()) {
         const std::scoped_lock lock{mutex_};
-        if (found_.size() >= kMostKept) {
+        if (found_.size() >= kMostWaysKept) {
             found_.clear();
         }
         found_.emplace(key, way);

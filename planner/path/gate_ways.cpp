@@ -22,10 +22,10 @@ namespace {
 constexpr int kDiscCorners = 64;
 // Length of the straight drive in or out.
 constexpr Length kStraight = metres(2.0);
-constexpr double kStepM = 0.1;
+constexpr double kGateStepM = 0.1;
 // Tried headings, to both sides of straight: across the boundary first, then all others if none fits.
 constexpr double kAcrossDeg[] = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0};
-constexpr double kAsideDeg[] = {60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
+constexpr double kGateAsideDeg[] = {60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 180.0};
 // Largest distance inwards from a gate, in lengths of the machine.
 constexpr double kLengthsIn = 2.0;
 
@@ -65,7 +65,7 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
     const Point onward = drivenIn ? inward : Point{-inward.x, -inward.y};
     const CurvePiece straight{.length = kStraight, .curvature = {}};
     const auto nearest = [&](std::span<const double> headings) -> std::optional<Leg> {
-        for (double m = 0.0; m <= mostM; m += kStepM) {
+        for (double m = 0.0; m <= mostM; m += kGateStepM) {
             for (const double aside : headings) {
                 const Angle heading = radians(std::atan2(onward.y, onward.x)) + degrees(aside);
                 const Point near = place.position + m * inward;
@@ -84,7 +84,7 @@ std::optional<Leg> straightAt(const RoutePlace& place, const Field& field, const
         return std::nullopt;
     };
     const auto across = nearest(kAcrossDeg);
-    return across ? across : nearest(kAsideDeg);
+    return across ? across : nearest(kGateAsideDeg);
 }
 
 Error noSuchPlace(const std::vector<Gate>& gates, const std::string& given, const Parameter& parameter) {

@@ -17,12 +17,12 @@ constexpr double kEndM = 0.01;
 // Length of the chords that draw lanes in bends.
 constexpr double kChordM = 1.0;
 
-struct WorkingLine {
+struct LoweredLine {
     Point right;
     Point left;
 };
 
-bool meets(const WorkingLine& line, Point from, Point to) {
+bool meets(const LoweredLine& line, Point from, Point to) {
     const Point along = line.left - line.right;
     const Point edge = to - from;
     const double fromSide = cross(along, from - line.right);
@@ -38,7 +38,7 @@ public:
     explicit UnworkedLand(const Polygon& polygon)
         : polygon_{{polygon}}, edges_{polygon_}, box_{bounds(polygon_)} {}
 
-    bool isTouched(const WorkingLine& line) const {
+    bool isTouched(const LoweredLine& line) const {
         if (std::max(line.right.x, line.left.x) < box_.min.x ||
             std::min(line.right.x, line.left.x) > box_.max.x ||
             std::max(line.right.y, line.left.y) < box_.min.y ||
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    WorkingLine at(const PosesAlong& line, double m) const {
+    LoweredLine at(const PosesAlong& line, double m) const {
         const Pose pose = line.at(m);
         const Point nose = direction(pose.heading.si());
         const Point left{-nose.y, nose.x};
@@ -136,7 +136,7 @@ private:
     }
 
     bool isUnworked(const PosesAlong& line, double m) const {
-        const WorkingLine working = at(line, m);
+        const LoweredLine working = at(line, m);
         return std::ranges::any_of(land_, [&](const UnworkedLand& land) { return land.isTouched(working); });
     }
 
@@ -196,9 +196,9 @@ private:
         });
         const PosesAlong line{driven};
         const int steps = straight ? 1 : chords;
-        WorkingLine before = at(line, stretch.fromM);
+        LoweredLine before = at(line, stretch.fromM);
         for (int i = 1; i <= steps; ++i) {
-            const WorkingLine next = at(line, stretch.fromM + (stretch.toM - stretch.fromM) * i / steps);
+            const LoweredLine next = at(line, stretch.fromM + (stretch.toM - stretch.fromM) * i / steps);
             lanes.push_back({.outer = {before.right, next.right, next.left, before.left}, .holes = {}});
             before = next;
         }

@@ -57,7 +57,7 @@ void cutApart(const RefillPiece& piece, const TankWork& work, bool mayCutSwaths,
 }
 
 /// Puts together again what was cut.
-void append(Curve& line, const Curve& next) {
+void rejoin(Curve& line, const Curve& next) {
     for (const CurvePiece& piece : next.pieces) {
         CurvePiece& last = line.pieces.back();
         const bool goesOn = &piece == &next.pieces.front() && last.gear == piece.gear &&
@@ -101,7 +101,7 @@ std::vector<Leg> legsWithStops(const std::vector<RefillPiece>& pieces,
             legs.push_back(*stops[i]);
         }
         if (pieces[i].goesOn && !stops[i]) {
-            append(legs.back().line, pieces[i].legs.front().line);
+            rejoin(legs.back().line, pieces[i].legs.front().line);
             legs.insert(legs.end(), pieces[i].legs.begin() + 1, pieces[i].legs.end());
             continue;
         }

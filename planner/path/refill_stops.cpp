@@ -16,11 +16,11 @@ namespace {
 
 // Length of the straight on which the machine draws up.
 constexpr Length kDrawUp = metres(2.0);
-constexpr double kStepM = 0.25;
+constexpr double kStopStepM = 0.25;
 constexpr int kDirections = 24;
 constexpr double kLengthsOff = 2.0;
 // Aside from the edge, if the machine fits in neither direction along it.
-constexpr std::array kAsideDeg{30.0, -30.0, 60.0, -60.0, 90.0, -90.0, 120.0, -120.0, 150.0, -150.0};
+constexpr std::array kStopAsideDeg{30.0, -30.0, 60.0, -60.0, 90.0, -90.0, 120.0, -120.0, 150.0, -150.0};
 
 /// The direction of the edge that is nearest to a place.
 Angle alongEdge(Point place, const Field& field) {
@@ -73,7 +73,7 @@ std::vector<Leg> refillStops(const RoutePlace& place, const Field& field, const 
     constexpr std::array kAlongDeg{0.0, 180.0};
     const double mostM = refillReach(rig.machine()).si();
     std::vector<Leg> aside;
-    for (double offM = 0.0; offM <= mostM; offM += kStepM) {
+    for (double offM = 0.0; offM <= mostM; offM += kStopStepM) {
         // The first of the directions is that across the edge.
         for (int i = 0; i < (offM > 0.0 ? kDirections : 1); ++i) {
             const double turned = 0.5 * std::numbers::pi + 2.0 * std::numbers::pi * i / kDirections;
@@ -82,7 +82,7 @@ std::vector<Leg> refillStops(const RoutePlace& place, const Field& field, const 
                 return stops;
             }
             if (aside.empty()) {
-                aside = drawnUp(at, along, kAsideDeg, rig);
+                aside = drawnUp(at, along, kStopAsideDeg, rig);
             }
         }
     }

@@ -27,7 +27,7 @@ constexpr double kLiftedTimes = 2.0;
 /// The place where a leg begins moves by no more than this.
 constexpr double kMostAlongM = 0.5;
 /// A line that was outside by more than kContactM before may be as far outside afterwards.
-constexpr Length kDrawing = metres(8e-3);
+constexpr Length kLegDrawing = metres(8e-3);
 /// A trailed implement is in line again after this many of its lengths.
 constexpr double kTrailingLengths = 3.0;
 /// A run begins at a place that is rounded to these steps, so that it is the same run however the machine got
@@ -35,7 +35,7 @@ constexpr double kTrailingLengths = 3.0;
 constexpr double kPlaceStepM = 1e-9;
 constexpr double kHeadingStepRad = 1e-12;
 /// Beyond this number of runs all are forgotten: some ten megabytes.
-constexpr std::size_t kMostKept = 4000;
+constexpr std::size_t kMostRunsKept = 4000;
 /// Half of a straight at which runs end is as long as this many windows.
 constexpr double kStraightWindows = 4.0;
 
@@ -231,7 +231,7 @@ private:
             at = next.value_or(at);
             return next.has_value();
         });
-        return !wasInside && rig.driven(state, piece.piece, kDrawing);
+        return !wasInside && rig.driven(state, piece.piece, kLegDrawing);
     }
 
     /// The distance between the eased line and the given one.
@@ -403,7 +403,7 @@ std::optional<std::vector<Curve>> EasedRuns::find(const Key& key) const {
 
 void EasedRuns::add(Key key, std::vector<Curve> lines) {
     const std::scoped_lock lock{mutex_};
-    if (known_.size() >= kMostKept) {
+    if (known_.size() >= kMostRunsKept) {
         known_.clear();
     }
     known_.emplace(std::move(key), std::move(lines));

@@ -15,15 +15,16 @@ namespace furrow {
 
 namespace {
 
-constexpr double kSameHeadingRad = 1e-6;
+constexpr double kSameWayHeadingRad = 1e-6;
 // Number of starts tried for a closed pass.
 constexpr int kStarts = 12;
 // Number of pairs between which a pass is tried, shortest detour first.
-constexpr std::size_t kMostPlacesTried = 8;
+constexpr std::size_t kMostPairsTried = 8;
 
 bool isSame(const Pose& a, const Pose& b) {
     return distance(a.position, b.position) < kMeetM &&
-           std::abs(std::remainder((a.heading - b.heading).si(), 2.0 * std::numbers::pi)) < kSameHeadingRad;
+           std::abs(std::remainder((a.heading - b.heading).si(), 2.0 * std::numbers::pi)) <
+               kSameWayHeadingRad;
 }
 
 class WayRepair {
@@ -130,7 +131,7 @@ private:
             }
         }
         std::ranges::sort(detours);
-        detours.resize(std::min(detours.size(), kMostPlacesTried));
+        detours.resize(std::min(detours.size(), kMostPairsTried));
         for (const auto& [detour, before] : detours) {
             for (Leg& leg : candidates) {
                 if (!job_.stopRequested() && leads(rest[before - 1], leg) && leads(leg, rest[before])) {

@@ -30,8 +30,8 @@ namespace {
 constexpr int kMostRounds = 4;
 // Anything below is no reason to drive a field in another way.
 constexpr double kWorthIt = 0.001;
-constexpr std::size_t kMostHeadings = 6;
-constexpr Angle kSameHeading = degrees(0.05);
+constexpr std::size_t kMostHeadingsTried = 6;
+constexpr Angle kSameAsNow = degrees(0.05);
 // That most searches take; the progress counts on it.
 constexpr double kUsualRounds = 2.0;
 
@@ -122,7 +122,7 @@ std::vector<Alternative> headings(const BestSoFar& best) {
         if (hasHeadingPerCell(settings)) {
             break;
         }
-        if (found.size() < kMostHeadings && angleBetweenLines(candidate.heading, now) > kSameHeading) {
+        if (found.size() < kMostHeadingsTried && angleBetweenLines(candidate.heading, now) > kSameAsNow) {
             found.push_back(
                 {.text = message("Heading: bearing {:.1f} degrees", lineBearingDeg(candidate.heading)),
                  .changes = {{"swaths.method", std::string{kFixedHeadingMethod.info.id}},

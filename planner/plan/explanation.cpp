@@ -29,7 +29,7 @@ constexpr double kMinutesUpToS = 90.0 * kMinuteS;
 // A smaller difference is nothing that anybody would change a plan for.
 constexpr double kWorthTellingS = 5.0;
 constexpr double kWorthTellingShare = 0.005;
-constexpr double kSameDeg = 0.05;
+constexpr double kSameShownDeg = 0.05;
 constexpr double kDryM2 = 0.5;
 // The outermost pass touches the edge; that is no news.
 constexpr double kTouchesM = 0.01;
@@ -122,7 +122,7 @@ std::optional<Message> savedBetween(const HeadingTrial& less, const HeadingTrial
 Message againstLongestEdge(const HeadingCurve& curve) {
     const HeadingTrial& chosen = curve.trials[curve.chosen];
     const HeadingTrial& edge = curve.trials[*curve.longestEdge];
-    if (inDegrees(angleBetweenLines(chosen.heading, edge.heading)) < kSameDeg) {
+    if (inDegrees(angleBetweenLines(chosen.heading, edge.heading)) < kSameShownDeg) {
         return message("{} runs along the longest edge", bearingMessage(chosen.heading));
     }
     if (const auto saved = savedBetween(chosen, edge)) {

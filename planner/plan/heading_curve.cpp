@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kStepDeg = 1.0;
 // Headings closer than this are one.
-constexpr double kSameDeg = 1e-6;
+constexpr double kSameTrialDeg = 1e-6;
 // Differences below are rounding.
 constexpr double kTimeSlackS = 0.05;
 constexpr double kAreaSlackM2 = 0.5;
 
 bool areSame(Angle a, Angle b) {
-    return inDegrees(angleBetweenLines(a, b)) < kSameDeg;
+    return inDegrees(angleBetweenLines(a, b)) < kSameTrialDeg;
 }
 
 bool hasCommonHeading(const Plan& plan) {

@@ -23,7 +23,7 @@ namespace {
 // A heading of its own has to save this share of the time in swaths of its cell: estimates are no better.
 constexpr double kWorthwhile = 0.02;
 // Headings that differ by less are one.
-constexpr double kSameDeg = 1.0;
+constexpr double kCommonDeg = 1.0;
 // No time is worth more of the mainland than this, which is what measuring may be wrong by.
 constexpr double kMostLost = 0.001;
 // Pieces of a cell that are smaller, in squares of the operating width, are left to the neighbours' edges.
@@ -171,7 +171,7 @@ private:
     }
 
     bool isCommon(Angle heading) const {
-        return inDegrees(angleBetweenLines(heading, common_.heading)) < kSameDeg;
+        return inDegrees(angleBetweenLines(heading, common_.heading)) < kCommonDeg;
     }
 
     static double lengthM(const SwathSet& set) {

@@ -21,8 +21,8 @@ constexpr Length kSmallForAll = metres(1.5);
 // Passes along the mainland's edge swing out over it in bends.
 constexpr Length kSwing = metres(0.5);
 // What blocks a plan has to do with an obstacle that is so many radii and widths away, or less.
-constexpr double kNearRadii = 3.0;
-constexpr double kNearWidths = 2.0;
+constexpr double kRoundNearRadii = 3.0;
+constexpr double kRoundNearWidths = 2.0;
 
 Polygon outlineOf(const Ring& hole) {
     return {.outer = Ring{hole.rbegin(), hole.rend()}, .holes = {}};
@@ -109,7 +109,7 @@ Result<MultiPolygon> withoutGoneRound(const MultiPolygon& polygons, const SwathS
 std::vector<Ring> awayFromBlocking(const SwathSet& swaths, std::span<const Finding> findings,
                                    const Machine& machine) {
     const double nearM =
-        (kNearRadii * machine.minTurningRadius() + kNearWidths * machine.operatingWidth()).si();
+        (kRoundNearRadii * machine.minTurningRadius() + kRoundNearWidths * machine.operatingWidth()).si();
     std::vector<Ring> away = swaths.goneRound;
     std::erase_if(away, [&](const Ring& ring) {
         return std::ranges::any_of(findings, [&](const Finding& finding) {

@@ -12,11 +12,6 @@ namespace furrow {
 
 namespace {
 
-constexpr double kMarginPx = 16.0;
-constexpr double kTitleSize = 15.0;
-constexpr double kTextSize = 12.0;
-constexpr double kLinePx = 16.0;  ///< from one line of text to the next
-constexpr std::string_view kQuiet = "#52606d";
 constexpr std::string_view kGridColour = "#e4e7eb";
 constexpr std::string_view kAxisColour = "#7b8794";
 

@@ -11,12 +11,7 @@ namespace furrow {
 
 namespace {
 
-constexpr double kMarginPx = 16.0;
-constexpr double kTitleSize = 15.0;
-constexpr double kTextSize = 12.0;
-constexpr double kLinePx = 16.0;
 constexpr double kFinestPx = 0.3;
-constexpr std::string_view kQuiet = "#52606d";
 
 bool isFinite(Point point) {
     return std::isfinite(point.x) && std::isfinite(point.y);

@@ -32,6 +32,14 @@ struct TextStyle {
 inline constexpr std::string_view kPalette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#000000"};
 
+// What charts and maps share: the margin, and the height of a line of text.
+inline constexpr double kMarginPx = 16.0;
+inline constexpr double kLinePx = 16.0;
+inline constexpr double kTitleSize = 15.0;
+inline constexpr double kTextSize = 12.0;
+/// Of what is beside the point: units, notes.
+inline constexpr std::string_view kQuiet = "#52606d";
+
 /// A picture of plain shapes and text. Positions in pixels, y downwards. Only presentation attributes are
 /// used, so that browsers, Qt, Inkscape and office programs show the same.
 class SvgDocument {

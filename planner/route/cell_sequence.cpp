@@ -13,9 +13,9 @@ namespace furrow {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kInfiniteCost = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostExact = 8;
-constexpr int kMostRounds = 4;
+constexpr int kMostImprovements = 4;
 // A table of all links holds 8 MB at most. Improving a sequence takes time with the cube of its length: with
 // 64 cells some hundredths of a second.
 constexpr std::size_t kMostTabled = 1'024;
@@ -82,10 +82,10 @@ private:
 
     /// The best variant of each cell in this sequence (Viterbi), and the whole cost.
     std::pair<double, std::vector<std::size_t>> variantsFor(const Sequence& sequence, bool fromFirst) const {
-        std::vector<double> cost(all_.size(), kInfinite);
+        std::vector<double> cost(all_.size(), kInfiniteCost);
         std::vector<std::size_t> before(all_.size(), 0);
         for (std::size_t v = first_[sequence.front()]; v < endOf(sequence.front()); ++v) {
-            cost[v] = mayBegin(v, fromFirst) ? all_[v]->cost : kInfinite;
+            cost[v] = mayBegin(v, fromFirst) ? all_[v]->cost : kInfiniteCost;
         }
         for (std::size_t i = 1; i < sequence.size(); ++i) {
             for (std::size_t v = first_[sequence[i]]; v < endOf(sequence[i]); ++v) {
@@ -114,7 +114,7 @@ private:
     Sequence exact(bool fromFirst) const {
         const std::size_t count = cells_.size();
         const std::size_t sets = std::size_t{1} << count;
-        std::vector<double> cost(sets * all_.size(), kInfinite);
+        std::vector<double> cost(sets * all_.size(), kInfiniteCost);
         std::vector<std::size_t> before(sets * all_.size(), all_.size());
         for (std::size_t v = 0; v < all_.size(); ++v) {
             if (mayBegin(v, fromFirst)) {
@@ -124,7 +124,7 @@ private:
         for (std::size_t set = 1; set < sets; ++set) {
             for (std::size_t u = 0; u < all_.size(); ++u) {
                 const double here = cost[set * all_.size() + u];
-                if (here == kInfinite) {
+                if (here == kInfiniteCost) {
                     continue;
                 }
                 for (std::size_t v = 0; v < all_.size(); ++v) {
@@ -155,7 +155,7 @@ private:
 
     Sequence nearest(bool fromFirst) const {
         Sequence best;
-        double leastOfAll = kInfinite;
+        double leastOfAll = kInfiniteCost;
         for (std::size_t start = 0; start < (fromFirst ? 1 : cells_.size()); ++start) {
             Sequence sequence{start};
             std::vector<bool> done(cells_.size(), false);
@@ -208,7 +208,7 @@ private:
     /// 2-opt.
     Sequence improved(Sequence sequence, bool fromFirst, const JobContext& job) const {
         double cost = variantsFor(sequence, fromFirst).first;
-        for (int round = 0; round < kMostRounds; ++round) {
+        for (int round = 0; round < kMostImprovements; ++round) {
             bool better = false;
             for (std::size_t i = fromFirst ? 1 : 0; i + 1 < sequence.size(); ++i) {
                 for (std::size_t k = i + 1; k < sequence.size() && !job.stopRequested(); ++k) {

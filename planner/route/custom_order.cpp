@@ -47,7 +47,7 @@ Result<Route> customOrder(const RouteTask& task, const JobContext& job) {
     return route;
 }
 
-constexpr const Parameter* kParameters[] = {&kOrder};
+constexpr const Parameter* kCustomOrderParameters[] = {&kOrder};
 
 }  // namespace
 
@@ -91,7 +91,7 @@ const Method<RoutePlanner> kCustomMethod{
     .info = {.id = "custom",
              .name = "Your own order",
              .description = "The swaths in the order and direction that you type.",
-             .parameters = kParameters},
+             .parameters = kCustomOrderParameters},
     .run = customOrder,
     .traits = {.isByHand = true}};
 

@@ -13,9 +13,8 @@ namespace furrow {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Less is rounding, in parts of the whole cost.
-constexpr double kRounding = 1e-9;
+constexpr double kBoundRounding = 1e-9;
 // Steps of the multipliers in a node; those of its parent are near.
 constexpr std::size_t kRoundsInNode = 60;
 
@@ -50,7 +49,7 @@ public:
     ProvedOrder run(const OrderBound& bound, std::size_t mostNodes, const JobContext& job);
 
 private:
-    double closedAt() const { return best_.cost - kRounding * std::abs(best_.cost); }
+    double closedAt() const { return best_.cost - kBoundRounding * std::abs(best_.cost); }
     std::optional<std::size_t> branchLink(const Node& node, const OneTree& tree) const;
     void takeTour(const OneTree& tree);
     /// Bounds the node anew; the link to branch on, or none where nothing in it is better.

@@ -9,7 +9,6 @@ namespace furrow {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Of the last step that goes into the next one. Volgenant & Jonker 1982, doi 10.1016/0377-2217(82)90015-7.
 constexpr double kMomentum = 0.3;
 constexpr double kFirstStep = 1.0;

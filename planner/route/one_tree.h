@@ -9,6 +9,9 @@
 
 namespace furrow {
 
+/// The cost of what cannot be driven.
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 /// A link between the ends of two swaths, in either direction of driving.
 struct UndirectedLink {
     SwathEnd a = 0;  ///< the lower one

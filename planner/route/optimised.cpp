@@ -25,8 +25,8 @@ namespace {
 constexpr std::size_t kMostSkipped = 6;
 constexpr std::array<std::size_t, 3> kClusters{4, 6, 10};
 constexpr std::size_t kRoundsPerSwath = 20;
-constexpr std::size_t kLeastRounds = 1'000;
-constexpr std::size_t kMostRounds = 4'000;
+constexpr std::size_t kLeastSearchRounds = 1'000;
+constexpr std::size_t kMostSearchRounds = 4'000;
 // How often an order is searched anew after ways that do not fit were found along it.
 constexpr int kMostChecks = 6;
 // A draft of more swaths takes the best pattern: a search takes time with the square of their number.
@@ -73,7 +73,8 @@ public:
             return cheapest(job);
         }
         const NearEnds near = nearEnds(costs_.links(), kNearLinks);
-        std::size_t rounds = isDraft_ ? 0 : std::clamp(kRoundsPerSwath * swaths, kLeastRounds, kMostRounds);
+        std::size_t rounds =
+            isDraft_ ? 0 : std::clamp(kRoundsPerSwath * swaths, kLeastSearchRounds, kMostSearchRounds);
         for (int check = 0; check < kMostChecks && !job.stopRequested(); ++check) {
             const bool isExact = swaths <= kMostByDynamicProgramming && !isDraft_ && strips_ == nullptr;
             orders_.push_back(isExact ? cheapestOrder(costs_.links()).order
@@ -245,8 +246,8 @@ Result<Route> optimised(const RouteTask& task, const JobContext& job) {
     return routeOf(order, task.swaths);
 }
 
-constexpr const Parameter* kParameters[] = {&kRouteObjective, &kFirstSwath, &kLastSwath,
-                                            &kOpenStrips,     &kLocked,     &kCorner};
+constexpr const Parameter* kOptimisedParameters[] = {&kRouteObjective, &kFirstSwath, &kLastSwath,
+                                                     &kOpenStrips,     &kLocked,     &kCorner};
 
 // No field has more swaths.
 constexpr double kMostSwaths = 1e6;
@@ -298,7 +299,7 @@ const Method<RoutePlanner> kOptimisedMethod{
              .name = "The quickest",
              .description = "Every pattern is tried and improved; the plan tells how near the order is to "
                             "the best one.",
-             .parameters = kParameters},
+             .parameters = kOptimisedParameters},
     .run = optimised,
     .traits = {.isByTime = true}};
 

@@ -12,7 +12,6 @@ namespace furrow {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // How often links that the tree lacked are added, and its own ones are checked.
 constexpr int kMostPricings = 12;
 constexpr std::size_t kLaterShare = 6;

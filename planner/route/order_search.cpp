@@ -16,7 +16,7 @@ namespace {
 /// Before the first swath and after the last one.
 constexpr SwathEnd kDepot = std::numeric_limits<SwathEnd>::max();
 // Moves that gain less, in parts of the whole cost, are rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kMoveRounding = 1e-9;
 // Longer stretches are moved only as the rest of what lies between two others.
 constexpr std::size_t kLongestMoved = 50;
 constexpr std::size_t kBestStarts = 2;
@@ -427,7 +427,7 @@ Move OrderSearch::bestMove(const Tour& tour, std::size_t place, double worthwhil
 }
 
 double OrderSearch::improve(Tour& tour, double cost) {
-    const double worthwhile = kRounding * std::max(1.0, cost);
+    const double worthwhile = kMoveRounding * std::max(1.0, cost);
     while (!queue_.empty() && !job_.stopRequested()) {
         const std::size_t swath = queue_.pop();
         const auto end = static_cast<SwathEnd>(2 * swath);
@@ -489,7 +489,7 @@ FoundOrder OrderSearch::run() {
     std::size_t bestExcess = excess(best);
     const auto take = [&](const Tour& tour, double cost) {
         if (tour.excess() < bestExcess ||
-            (tour.excess() == bestExcess && cost < best.cost - kRounding * std::max(1.0, best.cost))) {
+            (tour.excess() == bestExcess && cost < best.cost - kMoveRounding * std::max(1.0, best.cost))) {
             best = {tour.order(), tour.cost()};
             bestExcess = tour.excess();
         }

@@ -12,8 +12,8 @@ namespace furrow {
 namespace {
 
 // Of the multipliers: fewer for many swaths, about two seconds at most.
-constexpr std::size_t kMostRounds = 1'500;
-constexpr std::size_t kLeastRounds = 200;
+constexpr std::size_t kMostAscentRounds = 1'500;
+constexpr std::size_t kLeastAscentRounds = 200;
 constexpr std::size_t kRoundsTimesSwaths = 200'000;
 constexpr std::size_t kMostByBranching = 36;
 // Nodes of branch and bound times the square of the number of swaths: some tenths of a second.
@@ -57,8 +57,8 @@ Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& t
     RouteProof proof{.working = costs.working(), .nonWorking = links.of(order), .lowerBound = 0.0};
     costs.setEffort(SearchEffort::None);
     const std::size_t swaths = links.swathCount();
-    const std::size_t rounds =
-        std::clamp(kRoundsTimesSwaths / std::max<std::size_t>(1, swaths), kLeastRounds, kMostRounds);
+    const std::size_t rounds = std::clamp(kRoundsTimesSwaths / std::max<std::size_t>(1, swaths),
+                                          kLeastAscentRounds, kMostAscentRounds);
     const FoundOrder known{.order = order, .cost = proof.nonWorking};
     const OrderBound bound =
         heldKarpBound(links, nearEnds(links, kNearLinks), known.cost, rounds, job.part(kChecked, kBounded));

@@ -145,7 +145,7 @@ Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
         });
 }
 
-constexpr const Parameter* kParameters[] = {&kLine, &kEdge};
+constexpr const Parameter* kAbCurveParameters[] = {&kLine, &kEdge};
 
 }  // namespace
 
@@ -153,7 +153,7 @@ const Method<SwathGenerator> kAbCurveMethod{
     .info = {.id = "ab-curve",
              .name = "AB curve",
              .description = "Beside a curve of your own, or beside the edges around the one that you pick.",
-             .parameters = kParameters},
+             .parameters = kAbCurveParameters},
     .run = abCurve};
 
 }  // namespace furrow

@@ -29,7 +29,7 @@ Result<SwathSet> bruteForce(const SwathTask& task, const JobContext& job) {
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge, &kStep};
+constexpr const Parameter* kBruteForceParameters[] = {&kObjective, &kPreferEdge, &kStep};
 
 }  // namespace
 
@@ -47,7 +47,7 @@ const Method<SwathGenerator> kBruteForceMethod{
     .info = {.id = "brute-force",
              .name = "Best of all headings",
              .description = "Tries every heading in steps and keeps the best (the paper's search).",
-             .parameters = kParameters},
+             .parameters = kBruteForceParameters},
     .run = bruteForce,
     .traits = {.searchesHeadings = true}};
 

@@ -334,7 +334,7 @@ Result<SwathSet> alongContours(const SwathTask& task, const JobContext& job) {
         });
 }
 
-constexpr const Parameter* kParameters[] = {&kElevation};
+constexpr const Parameter* kContourParameters[] = {&kElevation};
 
 }  // namespace
 
@@ -351,7 +351,7 @@ const Method<SwathGenerator> kContourMethod{
              .name = "Along the contours",
              .description =
                  "Across the slope: beside a line of equal height, and a new one where that no longer fits.",
-             .parameters = kParameters},
+             .parameters = kContourParameters},
     .run = alongContours};
 
 }  // namespace furrow

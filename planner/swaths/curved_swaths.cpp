@@ -18,7 +18,7 @@ namespace {
 // Slightly more than the machine's radius, so that rounding stays within the limit.
 constexpr double kRadiusReserve = 1.0 + 1e-6;
 // Tracks within this distance are flush.
-constexpr double kFlushM = 1e-3;
+constexpr double kFlushTrackM = 1e-3;
 // Largest distance of strips from their chords when their area is measured.
 constexpr Length kStripChord = metres(0.002);
 // Largest turn of one strip.
@@ -123,7 +123,7 @@ std::vector<double> trackPlaces(double lowM, double highM, const SwathSpacing& s
     const double stepM = (spacing.width - spacing.overlap).si();
     const double lowest = lowM + 0.5 * widthM;
     const double highest = highM - 0.5 * widthM;
-    const double slack = std::min(kFlushM, 0.01 * stepM);
+    const double slack = std::min(kFlushTrackM, 0.01 * stepM);
     std::vector<double> places;
     if (highest - lowest <= slack) {
         const double nearest =
@@ -207,7 +207,7 @@ Result<std::vector<SwathLine>> parallelSwathLines(const GuideLine& guide, const 
     const double stepM = (spacing.width - spacing.overlap).si();
     for (std::size_t i = 0; i < beside->size(); ++i) {
         const double steps = std::round(places[i] / stepM);
-        const bool isOnLane = anchored && std::abs(places[i] - steps * stepM) < kFlushM;
+        const bool isOnLane = anchored && std::abs(places[i] - steps * stepM) < kFlushTrackM;
         for (const Curve& part : (*beside)[i]) {
             lines.push_back({static_cast<int>(i), part,
                              isOnLane ? std::optional{static_cast<int>(steps)} : std::nullopt});

@@ -18,8 +18,8 @@ constexpr Length kStraight = metres(0.15);
 // Shorter edges, as a share of the longest, are no guide for work.
 constexpr double kLongShare = 0.2;
 // Only the longest edges are tried, at most this many.
-constexpr std::size_t kMostEdges = 24;
-constexpr double kCoverageSlack = 1e-9;
+constexpr std::size_t kMostLongEdges = 24;
+constexpr double kEdgeCoverageSlack = 1e-9;
 // Headings closer than this are equal. The candidates shown to choose from lie `kApartDeg` apart.
 constexpr double kSameDeg = 1e-6;
 // A smaller difference needs no note: it is less than two decimetres over a kilometre.
@@ -87,7 +87,7 @@ bool isNoWorse(SwathObjective objective, const HeadingFigures& edge, const Headi
     if (objective == SwathObjective::Time) {
         return edge.time <= (1.0 + share) * best.time;
     }
-    if (edge.coverage < best.coverage - kCoverageSlack) {
+    if (edge.coverage < best.coverage - kEdgeCoverageSlack) {
         return false;
     }
     return objective == SwathObjective::Length
@@ -194,7 +194,7 @@ PreferredHeading preferEdges(const ScanLine& scanLine, const SwathTask& task, Sw
     if (!edges.empty()) {
         preferred.longestEdge = along(edges.front().heading);
     }
-    const std::size_t tried = share > 0.0 ? std::min(edges.size(), kMostEdges) : 0;
+    const std::size_t tried = share > 0.0 ? std::min(edges.size(), kMostLongEdges) : 0;
     for (std::size_t i = 0; i < tried; ++i) {
         const Angle heading = edges[i].heading;
         const double offDeg = apartDeg(heading, best.heading);

@@ -19,11 +19,11 @@ constexpr double kGridDeg = 0.1;
 // Edges with a smaller difference of direction count as one.
 constexpr double kSameDirectionDeg = 1e-4;
 // If a boundary has more edges, only the hull's and the longest are tried.
-constexpr std::size_t kMostEdges = 2000;
+constexpr std::size_t kMostSearchedEdges = 2000;
 // The refinement stops at a step that moves the end of a kilometre by 2 cm.
 constexpr double kFinestDeg = 1e-3;
 // Least distance between headings to choose from, and the number measured for that choice.
-constexpr double kApartDeg = 1.0;
+constexpr double kMeasuredApartDeg = 1.0;
 constexpr std::size_t kMostPromising = 6;
 
 Angle headingOf(Point edge) {
@@ -61,9 +61,9 @@ std::vector<Angle> edgeHeadings(const MultiPolygon& mainland, const Ring& hull, 
             edges.push_back(to - from);
         }
     });
-    if (edges.size() > kMostEdges) {
+    if (edges.size() > kMostSearchedEdges) {
         std::ranges::stable_sort(edges, std::ranges::greater{}, norm);
-        edges.resize(kMostEdges);
+        edges.resize(kMostSearchedEdges);
     }
     std::ranges::transform(edges, std::back_inserter(headings), headingOf);
     sortAndThin(headings);
@@ -123,7 +123,7 @@ struct Search {
         std::ranges::stable_sort(order, {}, [&](std::size_t i) { return bounds[i]; });
         for (const std::size_t i : order) {
             const auto isNear = [&](const BestHeading& other) {
-                return inDegrees(angleBetweenLines(other.heading, headings[i])) < kApartDeg;
+                return inDegrees(angleBetweenLines(other.heading, headings[i])) < kMeasuredApartDeg;
             };
             if (std::ranges::none_of(promising, isNear)) {
                 promising.push_back({headings[i], scanLine.figures(headings[i], SwathObjective::Time)});
@@ -215,7 +215,7 @@ Result<SwathSet> exactSearch(const SwathTask& task, const JobContext& job) {
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge};
+constexpr const Parameter* kExactSearchParameters[] = {&kObjective, &kPreferEdge};
 
 }  // namespace
 
@@ -224,7 +224,7 @@ const Method<SwathGenerator> kExactMethod{
              .name = "Best heading",
              .description =
                  "Edge directions and every tenth of a degree, refined; says when nothing better exists.",
-             .parameters = kParameters},
+             .parameters = kExactSearchParameters},
     .run = exactSearch,
     .traits = {.searchesHeadings = true}};
 

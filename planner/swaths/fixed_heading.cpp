@@ -14,7 +14,7 @@ Result<SwathSet> fixedHeading(const SwathTask& task, const JobContext& job) {
     });
 }
 
-constexpr const Parameter* kParameters[] = {&kAngle};
+constexpr const Parameter* kFixedHeadingParameters[] = {&kAngle};
 
 }  // namespace
 
@@ -32,7 +32,7 @@ const Method<SwathGenerator> kFixedHeadingMethod{
     .info = {.id = "fixed",
              .name = "Given direction",
              .description = "All swaths in the direction that you type.",
-             .parameters = kParameters},
+             .parameters = kFixedHeadingParameters},
     .run = fixedHeading};
 
 }  // namespace furrow

@@ -15,7 +15,7 @@ namespace {
 // Smaller bends are straights.
 constexpr double kStraightRad = 1e-9;
 // A parallel is sampled in steps of these metres and radians,
-constexpr double kLookM = 2.0;
+constexpr double kParallelLookM = 2.0;
 constexpr double kLookRad = 0.1;
 // and, where its stretches do not meet, of these metres.
 constexpr double kLookCloselyM = 0.02;
@@ -194,9 +194,9 @@ std::vector<double> ParallelLines::placesBetween(double from, double to, double 
         const GuidePiece& piece = placed_[i].piece;
         const double beside = std::abs(piece.lengthM - leftM * piece.turnRad);
         // Corners are passed in steps, too.
-        const auto steps =
-            static_cast<int>(std::ceil(std::max({2.0, std::max(piece.lengthM, beside) / apartM,
-                                                 std::abs(piece.turnRad) / (kLookRad * apartM / kLookM)})));
+        const auto steps = static_cast<int>(
+            std::ceil(std::max({2.0, std::max(piece.lengthM, beside) / apartM,
+                                std::abs(piece.turnRad) / (kLookRad * apartM / kParallelLookM)})));
         for (int k = 1; k <= steps; ++k) {
             const double place = static_cast<double>(i) + static_cast<double>(k) / steps;
             if (place > places.back() && place < to) {
@@ -237,7 +237,7 @@ std::vector<ParallelLines::Interval> ParallelLines::freeAmong(const std::vector<
 
 std::vector<ParallelLines::Interval> ParallelLines::freeStretches(double leftM) const {
     const auto end = static_cast<double>(placed_.size());
-    const std::vector<Interval> seen = freeAmong(placesBetween(0.0, end, leftM, kLookM), leftM);
+    const std::vector<Interval> seen = freeAmong(placesBetween(0.0, end, leftM, kParallelLookM), leftM);
     std::vector<Interval> stretches;
     for (const Interval& stretch : seen) {
         // Between stretches that do not meet lies a stretch too short for the first sampling, or an end of

@@ -57,7 +57,7 @@ Result<SwathSet> oksanen(const SwathTask& task, const JobContext& job) {
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kObjective, &kPreferEdge};
+constexpr const Parameter* kOksanenParameters[] = {&kObjective, &kPreferEdge};
 
 }  // namespace
 
@@ -65,7 +65,7 @@ const Method<SwathGenerator> kOksanenMethod{
     .info = {.id = "oksanen",
              .name = "Quick search",
              .description = "Six directions, then ever finer around the best three (Oksanen & Visala).",
-             .parameters = kParameters},
+             .parameters = kOksanenParameters},
     .run = oksanen,
     .traits = {.searchesHeadings = true}};
 

@@ -100,7 +100,7 @@ Result<SwathSet> pivot(const SwathTask& task, const JobContext& job) {
     return set;
 }
 
-constexpr const Parameter* kParameters[] = {&kLine};
+constexpr const Parameter* kPivotParameters[] = {&kLine};
 
 }  // namespace
 
@@ -108,7 +108,7 @@ const Method<SwathGenerator> kPivotMethod{
     .info = {.id = "pivot",
              .name = "Circles",
              .description = "Round and round the centre of a pivot, from the rim inwards.",
-             .parameters = kParameters},
+             .parameters = kPivotParameters},
     .run = pivot};
 
 }  // namespace furrow

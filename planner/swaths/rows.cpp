@@ -15,7 +15,7 @@ namespace furrow {
 namespace {
 
 // Distance along the first row at which middles between two rows are computed.
-constexpr double kLookM = 2.0;
+constexpr double kRowLookM = 2.0;
 // Two rows this many times farther apart than most are not neighbours: a track or a ditch lies between.
 constexpr double kNeighbours = 1.8;
 
@@ -72,7 +72,8 @@ std::optional<Point> footOn(const Polyline& line, Point point) {
 Polyline densified(const Polyline& line) {
     Polyline dense;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const auto steps = std::max(1, static_cast<int>(std::ceil(distance(line[i], line[i + 1]) / kLookM)));
+        const auto steps =
+            std::max(1, static_cast<int>(std::ceil(distance(line[i], line[i + 1]) / kRowLookM)));
         for (int k = 0; k < steps; ++k) {
             dense.push_back(line[i] + (static_cast<double>(k) / steps) * (line[i + 1] - line[i]));
         }
@@ -171,7 +172,7 @@ constexpr Choice kPlaces[] = {
     {"between", "Between the rows", "The machine drives half way between two neighbours."},
 };
 
-constexpr const Parameter* kParameters[] = {&kRows, &kRowsAt, &kSkipRows};
+constexpr const Parameter* kRowsParameters[] = {&kRows, &kRowsAt, &kSkipRows};
 
 }  // namespace
 
@@ -201,7 +202,7 @@ const Method<SwathGenerator> kRowsMethod{
     .info = {.id = "rows",
              .name = "Rows",
              .description = "Along rows that are there already, or between them.",
-             .parameters = kParameters},
+             .parameters = kRowsParameters},
     .run = alongRows};
 
 }  // namespace furrow

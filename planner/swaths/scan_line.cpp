@@ -11,8 +11,6 @@ namespace furrow {
 
 namespace {
 
-// Shorter stretches are rounding at a corner, not work.
-constexpr double kShortestSwathM = 1e-3;
 // With fewer vertices all of them are rotated as quickly as they are searched.
 constexpr std::size_t kManyVertices = 400;
 

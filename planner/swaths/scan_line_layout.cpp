@@ -10,11 +10,9 @@ namespace furrow {
 
 namespace {
 
-// Shorter stretches are rounding at a corner, not work.
-constexpr double kShortestSwathM = 1e-3;
 // A guidance line comes from degrees. Within this distance it is flush with the edge, and no swath fits in
 // between.
-constexpr double kFlushM = 1e-3;
+constexpr double kFlushLaneM = 1e-3;
 // Number of shifts tried if the shift is free.
 constexpr int kShifts = 9;
 // A place is guessed so often before what is left is halved.
@@ -132,7 +130,7 @@ void ScanLine::layThroughAnchor(Walk& walk) const {
     const double step = (spacing_.width - spacing_.overlap).si();
     const double lowest = walk.lowY + 0.5 * width;
     const double highest = walk.highY - 0.5 * width;
-    const double slack = std::min(kFlushM, 0.01 * step);
+    const double slack = std::min(kFlushLaneM, 0.01 * step);
     // The whole number of steps that brings the anchor's line to its lowest place inside the mainland.
     const double first = walk.anchorY - step * std::floor((walk.anchorY - lowest + slack) / step);
     if (walk.highY - walk.lowY <= width) {

@@ -16,6 +16,9 @@ namespace furrow {
 // A width that fits except for rounding does fit.
 inline constexpr double kFitSlack = 1e-9;
 
+// Shorter stretches are rounding at a corner, not work.
+inline constexpr double kShortestSwathM = 1e-3;
+
 // Edges with a smaller slope, as a share of their height, count as upright.
 inline constexpr double kSteep = 1e-3;
 

@@ -10,11 +10,9 @@ namespace furrow {
 
 namespace {
 
-// Shorter ones have no direction.
-constexpr double kLeastStepM = 1e-3;
 // A longer step is a break in the recording, unless both ends lie on one stretch of the plan.
 constexpr double kLongestStepM = 25.0;
-constexpr double kLeastPieceM2 = 1.0;
+constexpr double kLeastMissedM2 = 1.0;
 
 bool wasDown(const TrackSample& sample, const std::optional<TrackMatch>& match) {
     if (sample.implementDown) {
@@ -29,7 +27,7 @@ void addStrips(MultiPolygon& strips, const RecordedTrack& track, const Ring& pla
     Polyline worked{places.front()};  // without a break
     for (std::size_t i = 1; i < places.size(); ++i) {
         const double length = distance(worked.back(), places[i]);
-        if (length < kLeastStepM) {
+        if (length < kShortestStepM) {
             continue;
         }
         const bool down =
@@ -65,7 +63,7 @@ Result<DrivenArea> drivenArea(const MultiPolygon& workable, std::span<const Reco
         return std::unexpected(missed.error());
     }
     DrivenArea driven{.covered = area(workable) - area(*missed), .missed = area(*missed), .places = {}};
-    std::erase_if(*missed, [](const Polygon& piece) { return area(piece).si() < kLeastPieceM2; });
+    std::erase_if(*missed, [](const Polygon& piece) { return area(piece).si() < kLeastMissedM2; });
     std::ranges::sort(*missed, std::ranges::greater{}, [](const Polygon& piece) { return area(piece); });
     driven.places = *std::move(missed);
     return driven;

@@ -9,9 +9,6 @@ namespace furrow {
 
 namespace {
 
-// Shorter ones have no direction.
-constexpr double kLeastStepM = 1e-3;
-
 Polygon counterClockwise(Ring ring) {
     if (signedAreaM2(ring) < 0.0) {
         std::ranges::reverse(ring);
@@ -30,7 +27,7 @@ void addStripsAlong(MultiPolygon& strips, const Polyline& line, double halfM) {
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Point way = line[i] - from;
         const double length = std::hypot(way.x, way.y);
-        if (length < kLeastStepM) {
+        if (length < kShortestStepM) {
             continue;
         }
         const Point left{-way.y * halfM / length, way.x * halfM / length};

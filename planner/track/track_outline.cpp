@@ -19,7 +19,7 @@ constexpr std::size_t kFewestPositions = 4;
 // Positions left out of all: with more the rest is not to be trusted either.
 constexpr double kMostJumps = 0.1;
 // A standing machine is recorded in every direction.
-constexpr double kLeastStepM = 0.3;
+constexpr double kRecordedStepM = 0.3;
 // What receivers differ by from one second to the next.
 constexpr Length kLineTolerance = metres(0.03);
 constexpr Length kEdgeTolerance = metres(0.05);
@@ -33,7 +33,7 @@ constexpr double kLeastRoundShare = 0.55;
 // Of a width: strips of one width disappear, of two they stay.
 constexpr double kOpening = 0.55;
 constexpr double kLongSpur = 3.0;
-constexpr double kLeastPieceM2 = 100.0;
+constexpr double kLeastFieldM2 = 100.0;
 constexpr double kLeastPieceShare = 0.01;
 
 Error refused(Message what, Message remedy, Message where = {}) {
@@ -163,7 +163,7 @@ void dropSmallPieces(MultiPolygon& pieces) {
         largest = std::max(largest, area(piece).si());
     }
     std::erase_if(pieces, [largest](const Polygon& piece) {
-        return area(piece).si() < std::max(kLeastPieceM2, kLeastPieceShare * largest);
+        return area(piece).si() < std::max(kLeastFieldM2, kLeastPieceShare * largest);
     });
     std::ranges::sort(pieces, std::ranges::greater{}, [](const Polygon& piece) { return area(piece).si(); });
 }
@@ -246,7 +246,7 @@ Result<RoundOutline> roundOutline(const DrivenLines& driven, Length width, const
 
 // --- Worked land ------------------------------------------------------------------------------------------
 
-/// The stretches that were worked, without breaks, with a point at least every kLeastStepM.
+/// The stretches that were worked, without breaks, with a point at least every kRecordedStepM.
 void addWorked(std::vector<Polyline>& stretches, const DrivenLine& line) {
     Polyline stretch;
     const auto end = [&] {
@@ -264,7 +264,7 @@ void addWorked(std::vector<Polyline>& stretches, const DrivenLine& line) {
         if (step > line.longestStepM) {
             end();
         }
-        if (stretch.empty() || step >= kLeastStepM) {
+        if (stretch.empty() || step >= kRecordedStepM) {
             stretch.push_back(line.places[i]);
         }
     }

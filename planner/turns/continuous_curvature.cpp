@@ -8,7 +8,7 @@ namespace furrow {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using words::kPi;
 
 /// C(t) / t and S(t) / t of the Fresnel integrals at t = sqrt(2 angle / pi). This is the end of a clothoid of
 /// length 1 that begins straight and turns by `angle`. Power series (Abramowitz & Stegun 1964, 7.3.11 and

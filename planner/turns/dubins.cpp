@@ -10,7 +10,7 @@ namespace furrow {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using words::kPi;
 
 /// Three pieces: angles of arcs; the middle of the first four words is a length in radii.
 struct Word {
@@ -103,7 +103,7 @@ private:
     double shortest_ = std::numeric_limits<double>::infinity();
 };
 
-Word shortestWord(const Pose& from, const Pose& to, Length radius) {
+Word shortestDubinsWord(const Pose& from, const Pose& to, Length radius) {
     return ShortestWord{words::goalSeenFrom(from, to, 1.0 / radius.si())}.word();
 }
 
@@ -114,7 +114,7 @@ Curve runDubins(const Pose& from, const Pose& to, const Machine& machine) {
 }  // namespace
 
 Curve dubinsTurn(const Pose& from, const Pose& to, Length radius) {
-    const Word word = shortestWord(from, to, radius);
+    const Word word = shortestDubinsWord(from, to, radius);
     Curve turn{.type = "dubins", .start = from, .pieces = {}};
     turn.pieces.reserve(3);
     const double parts[] = {word.first, word.middle, word.last};
@@ -128,7 +128,7 @@ Curve dubinsTurn(const Pose& from, const Pose& to, Length radius) {
 }
 
 Length dubinsLength(const Pose& from, const Pose& to, Length radius) {
-    return radius * shortestWord(from, to, radius).length();
+    return radius * shortestDubinsWord(from, to, radius).length();
 }
 
 const Method<TurnPlanner> kDubinsMethod{

@@ -20,9 +20,8 @@ namespace furrow {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // Turn of one move on full lock, in radians.
-constexpr double kMoveRad = kPi / 9.0;
+constexpr double kMoveRad = std::numbers::pi / 9.0;
 constexpr int kHeadings = 36;
 // In the open, straight moves are longer by this factor.
 constexpr double kLongMove = 4.0;
@@ -181,7 +180,7 @@ private:
         const auto y =
             static_cast<std::int64_t>(std::floor((node.state.tractor.position.y - to_.position.y) / cellM)) &
             0xFFFFFF;
-        const double turns = node.state.tractor.heading.si() / (2.0 * kPi);
+        const double turns = node.state.tractor.heading.si() / (2.0 * std::numbers::pi);
         const auto heading = static_cast<Key>((turns - std::floor(turns)) * kHeadings) % kHeadings;
         return static_cast<Key>(x) << 40U | static_cast<Key>(y) << 16U | heading << 1U |
                (!node.pieces.empty() && node.pieces.back().gear == Gear::Reverse ? 1U : 0U);

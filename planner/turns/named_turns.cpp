@@ -8,10 +8,10 @@ namespace furrow {
 namespace {
 
 using words::Goal;
+using words::kPi;
 using words::Part;
 using words::wrapped;
 
-constexpr double kPi = std::numbers::pi;
 // An arc of exactly half a circle may come out longer by this.
 constexpr double kAngleSlack = 1e-9;
 constexpr double kHalfCircle = kPi + kAngleSlack;

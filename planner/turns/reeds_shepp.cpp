@@ -13,7 +13,7 @@ struct UnitArcs {
     double length(double angle) const { return angle; }
 };
 
-words::Word shortestWord(const Pose& from, const Pose& to, Length radius) {
+words::Word shortestReedsSheppWord(const Pose& from, const Pose& to, Length radius) {
     words::TurnWordSearch<UnitArcs> search{words::goalSeenFrom(from, to, 1.0 / radius.si()), {}, {}};
     search.straightWords(1);
     search.straightWords(-1);
@@ -31,7 +31,7 @@ Curve runReedsShepp(const Pose& from, const Pose& to, const Machine& machine) {
 }  // namespace
 
 Curve reedsSheppTurn(const Pose& from, const Pose& to, Length radius) {
-    const words::Word word = shortestWord(from, to, radius);
+    const words::Word word = shortestReedsSheppWord(from, to, radius);
     Curve turn{.type = "reeds-shepp", .start = from, .pieces = {}};
     turn.pieces.reserve(5);
     for (int i = 0; i < word.count; ++i) {
@@ -46,7 +46,7 @@ Curve reedsSheppTurn(const Pose& from, const Pose& to, Length radius) {
 }
 
 Length reedsSheppLength(const Pose& from, const Pose& to, Length radius) {
-    return radius * shortestWord(from, to, radius).length;
+    return radius * shortestReedsSheppWord(from, to, radius).length;
 }
 
 const Method<TurnPlanner> kReedsSheppMethod{

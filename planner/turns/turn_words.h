@@ -14,6 +14,8 @@
 /// a right angle. So one search serves arcs as well as turns with clothoids at both ends.
 namespace furrow::words {
 
+inline constexpr double kPi = std::numbers::pi;
+
 /// The place of a turn's centre, in the caller's unit (metres or radii):
 ///
 ///            + centre                 For an arc `ahead` is 0 and `aside` its radius. A turn that begins
@@ -149,8 +151,6 @@ public:
     }
 
 private:
-    static constexpr double kPi = std::numbers::pi;
-
     /// The line from the centre of the first turn to that of the last.
     struct Centres {
         bool known = false;

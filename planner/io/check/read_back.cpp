@@ -12,14 +12,14 @@ namespace furrow {
 namespace {
 
 constexpr double kSlackM2 = 1.0;
-constexpr double kAreaShare = 0.001;
+constexpr double kReadAreaShare = 0.001;
 constexpr double kPlaceM = 0.1;
 
 /// Same area, and corners of the one beside the other.
 bool sameOutline(const GeoRing& meant, const GeoRing& read) {
     const Area wanted = geodesicArea({.outer = meant, .holes = {}});
     const Area got = geodesicArea({.outer = read, .holes = {}});
-    if (std::abs((wanted - got).si()) > kSlackM2 + kAreaShare * wanted.si()) {
+    if (std::abs((wanted - got).si()) > kSlackM2 + kReadAreaShare * wanted.si()) {
         return false;
     }
     // Each corner that was meant is among those read; a few are enough to tell fields apart.

@@ -12,7 +12,7 @@ namespace furrow {
 
 namespace {
 
-constexpr double kAreaShare = 0.005;
+constexpr double kStatedAreaShare = 0.005;
 // Rounding to whole square metres, and to tenths of an are, counts on small areas.
 constexpr double kAreaSlackM2 = 6.0;
 constexpr double kFarM = 10'000.0;
@@ -176,8 +176,8 @@ void areasAsStated(CheckRun& run) {
             const double own = geodesicArea(rings).si();
             // A field's area is stated with obstacles taken out, which are areas of their own.
             const double least = area.kind == ReceivedArea::Kind::Field ? std::min(own, 0.2 * most) : own;
-            if (*area.statedM2 > own + kAreaShare * most + kAreaSlackM2 ||
-                *area.statedM2 < least - kAreaShare * most - kAreaSlackM2) {
+            if (*area.statedM2 > own + kStatedAreaShare * most + kAreaSlackM2 ||
+                *area.statedM2 < least - kStatedAreaShare * most - kAreaSlackM2) {
                 run.report(content.file, message("'{}' is said to have {:.0f} m², and has {:.0f} m²",
                                                  area.name, *area.statedM2, own));
                 break;

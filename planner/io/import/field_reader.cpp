@@ -11,9 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kStartBytes = 4096;
+constexpr std::size_t kFieldStartBytes = 4096;
 // A stick with its folders, a client's farms and fields.
-constexpr int kDeepest = 6;
+constexpr int kDeepestField = 6;
 
 Error noFields(const fs::path& folder) {
     return readFailed(folder.string(),
@@ -24,7 +24,7 @@ Error noFields(const fs::path& folder) {
 }  // namespace
 
 Result<ImportedFields> readFields(const fs::path& path, const JobContext& job) {
-    const ChosenFile chosen{path, kStartBytes, kDeepest};
+    const ChosenFile chosen{path, kFieldStartBytes, kDeepestField};
     if (chosen.holdsFiles() && !chosen.inside()) {
         return std::unexpected(chosen.inside().error());
     }

@@ -11,9 +11,6 @@ namespace furrow {
 
 namespace {
 
-constexpr std::size_t kStartBytes = 16'384;
-constexpr int kDeepest = 2;
-
 bool tellsOfDriving(const TrackSample& sample) {
     return sample.timeS || sample.speedMps || sample.headingRad || sample.implementDown;
 }
@@ -25,7 +22,7 @@ bool isClosed(const RecordedTrack& track) {
 }  // namespace
 
 std::optional<TrackFile> recordedDrive(const std::filesystem::path& path, const JobContext& job) {
-    const ChosenFile chosen{path, kStartBytes, kDeepest};
+    const ChosenFile chosen{path, kTrackStartBytes, kDeepestTrack};
     const RecognisedFormat tracks = recognisedAsTracks(chosen);
     const bool isJson = tracks.how == Recognition::Perhaps && chosen.text().starts_with('{');
     if (tracks.format == nullptr || isJson || recognisedAsFields(chosen).how > Recognition::Perhaps) {

@@ -15,10 +15,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kRemedy =
     "give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2";
 
-constexpr std::size_t kStartBytes = 16'384;
-// A folder of logs, in the folder of a task, on a stick.
-constexpr int kDeepest = 2;
-
 Error noTrack(const ChosenFile& chosen) {
     if (!chosen.isXml()) {
         return trackRefused(chosen.path().string(), "this is no track that can be read",
@@ -41,7 +37,7 @@ Result<TrackFile> readTracks(const fs::path& path, const JobContext& job) {
                                      .where = text,
                                      .remedy = "download the file and give its path"});
     }
-    const ChosenFile chosen{path, kStartBytes, kDeepest};
+    const ChosenFile chosen{path, kTrackStartBytes, kDeepestTrack};
     if (!chosen.isDirectory() && !chosen.start()) {
         return std::unexpected(chosen.start().error());
     }

@@ -8,6 +8,11 @@
 
 namespace furrow {
 
+/// What is read of a file to tell whether it is a track.
+inline constexpr std::size_t kTrackStartBytes = 16'384;
+/// A folder of logs, in the folder of a task, on a stick.
+inline constexpr int kDeepestTrack = 2;
+
 /// Reads what a machine drove. The format is told by the content:
 /// - GPX: each track segment (routes where there is no track); time, and speed and course of version 1.0;
 /// - a table with a header (comma, semicolon or tab; decimal comma unless the comma separates): longitude

@@ -20,11 +20,12 @@ namespace furrow {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json valueJson(const Parameter& parameter, const SettingValue& value) {
+OrderedJson valueJson(const Parameter& parameter, const SettingValue& value) {
     if (const auto* number = std::get_if<double>(&value)) {
-        return parameter.kind == ParameterKind::Count ? Json(static_cast<int>(*number)) : Json(*number);
+        return parameter.kind == ParameterKind::Count ? OrderedJson(static_cast<int>(*number))
+                                                      : OrderedJson(*number);
     }
     if (const auto* flag = std::get_if<bool>(&value)) {
         return *flag;
@@ -32,25 +33,25 @@ Json valueJson(const Parameter& parameter, const SettingValue& value) {
     return settingText(value);
 }
 
-Json settingJson(const Parameter& parameter, const Settings& settings) {
-    return parameter.kind == ParameterKind::Numbers ? Json(settings.numbers(parameter))
+OrderedJson settingJson(const Parameter& parameter, const Settings& settings) {
+    return parameter.kind == ParameterKind::Numbers ? OrderedJson(settings.numbers(parameter))
                                                     : valueJson(parameter, settings.value(parameter));
 }
 
 /// Every setting with the value that was used, also where that was computed.
-Json settingsJson(const Plan& plan) {
-    Json all = Json::object();
+OrderedJson settingsJson(const Plan& plan) {
+    OrderedJson all = OrderedJson::object();
     for (const Parameter* parameter : allParameters()) {
         all[parameter->key] = parameter->kind == ParameterKind::Numbers
-                                  ? Json(plan.request.settings.numbers(*parameter))
+                                  ? OrderedJson(plan.request.settings.numbers(*parameter))
                                   : valueJson(*parameter, usedValue(plan, *parameter));
     }
     return all;
 }
 
 /// What was asked for and not taken, since something simpler is quicker.
-Json askedJson(const Plan& plan) {
-    Json asked = Json::object();
+OrderedJson askedJson(const Plan& plan) {
+    OrderedJson asked = OrderedJson::object();
     for (const SettingChange& change : plan.instead) {
         asked[change.key] = settingJson(**findParameter(change.key), plan.request.settings);
     }
@@ -58,8 +59,8 @@ Json askedJson(const Plan& plan) {
 }
 
 /// What the operation set: those of its settings that were not given.
-Json operationSets(const Settings& settings) {
-    Json sets = Json::object();
+OrderedJson operationSets(const Settings& settings) {
+    OrderedJson sets = OrderedJson::object();
     for (const OperationDefault& entry : settings.operation().defaults) {
         if (const Parameter* const parameter = findParameter(entry.key).value();
             !settings.isSet(*parameter)) {
@@ -74,8 +75,8 @@ std::string methodOf(std::string_view stageId, const Settings& settings) {
 }
 
 /// One for each cell.
-Json headingsJson(const Decomposition& cells) {
-    Json headings = Json::array();
+OrderedJson headingsJson(const Decomposition& cells) {
+    OrderedJson headings = OrderedJson::array();
     for (const Cell& cell : cells.cells) {
         headings.push_back(inDegrees(cell.heading));
     }
@@ -83,11 +84,11 @@ Json headingsJson(const Decomposition& cells) {
 }
 
 /// Costs are estimated in free space; where nothing was estimated, as for one piece, there are none.
-Json decompositionJson(const Decomposition& cells) {
+OrderedJson decompositionJson(const Decomposition& cells) {
     const std::vector<DecompositionStep>& steps = cells.history.steps;
-    Json json{{"cells", cells.cells.size()},
-              {"cells_before", steps.empty() ? cells.cells.size() : steps.front().cells},
-              {"altitude_m", cells.altitude.si()}};
+    OrderedJson json{{"cells", cells.cells.size()},
+                     {"cells_before", steps.empty() ? cells.cells.size() : steps.front().cells},
+                     {"altitude_m", cells.altitude.si()}};
     if (!steps.empty()) {
         json["cost_before_s"] = steps.front().cost.si();
         json["cost_after_s"] = steps.back().cost.si();
@@ -95,11 +96,11 @@ Json decompositionJson(const Decomposition& cells) {
     return json;
 }
 
-Json milliseconds(Duration duration) {
+OrderedJson milliseconds(Duration duration) {
     return duration.si() * 1e3;
 }
 
-Json swathsJson(const Plan& plan) {
+OrderedJson swathsJson(const Plan& plan) {
     return {{"count", plan.swaths.swaths.size()},
             {"total_length_m", plan.swaths.totalLength.si()},
             {"heading_deg", headingsJson(plan.cells)},
@@ -112,15 +113,15 @@ Json swathsJson(const Plan& plan) {
             {"obstacles_gone_round", plan.swaths.goneRound.size()}};
 }
 
-Json pathJson(const Plan& plan) {
-    Json json{{"length_m", plan.path.length().si()},
-              {"working_length_m", plan.path.workedLength().si()},
-              {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
-              {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
-              {"reverse_length_m", plan.path.reversedLength().si()},
-              {"time_s", plan.path.duration().si()},
-              {"turns", plan.path.turnCount()},
-              {"undrivable_turns", plan.path.undrivableCount()}};
+OrderedJson pathJson(const Plan& plan) {
+    OrderedJson json{{"length_m", plan.path.length().si()},
+                     {"working_length_m", plan.path.workedLength().si()},
+                     {"turn_length_m", plan.path.length(SegmentKind::Turn).si()},
+                     {"transfer_length_m", plan.path.length(SegmentKind::Transfer).si()},
+                     {"reverse_length_m", plan.path.reversedLength().si()},
+                     {"time_s", plan.path.duration().si()},
+                     {"turns", plan.path.turnCount()},
+                     {"undrivable_turns", plan.path.undrivableCount()}};
     if (const auto folded = foldedStretches(plan.path.segments); !folded.empty()) {
         json["folded_ways"] = folded.size();
         json["folding_time_s"] = foldingTime(plan.path.segments, plan.request.machine).si();
@@ -136,9 +137,9 @@ Json pathJson(const Plan& plan) {
 
 /// Cost and bound are of swaths, turns and ways between swaths where the order was left to the planner, and
 /// the time of the whole path elsewhere.
-Json routeJson(const Plan& plan) {
-    Json route{{"method", methodOf("route", plan.request.settings)},
-               {"length_in_place_m", plan.route.lengthInPlace.si()}};
+OrderedJson routeJson(const Plan& plan) {
+    OrderedJson route{{"method", methodOf("route", plan.request.settings)},
+                      {"length_in_place_m", plan.route.lengthInPlace.si()}};
     if (plan.proof) {
         route["objective"] = plan.request.settings.choice(kRouteObjective);
         route["cost"] = plan.proof->working + plan.proof->nonWorking;
@@ -156,24 +157,24 @@ Json routeJson(const Plan& plan) {
 }
 
 /// Times with the time to work separately what the plan misses.
-Json choicesJson(const ChoiceTable& table) {
+OrderedJson choicesJson(const ChoiceTable& table) {
     const auto changesOf = [](const TriedChoice& tried) {
-        Json changes = Json::object();
+        OrderedJson changes = OrderedJson::object();
         for (const SettingChange& change : tried.changes) {
-            changes[change.key] = change.value.empty() ? Json(nullptr) : Json(change.value);
+            changes[change.key] = change.value.empty() ? OrderedJson(nullptr) : OrderedJson(change.value);
         }
         return changes;
     };
-    Json taken = Json::array();
-    Json others = Json::array();
+    OrderedJson taken = OrderedJson::array();
+    OrderedJson others = OrderedJson::array();
     for (const TriedChoice& tried : table.tried) {
-        Json json{{"choice", tried.choice}, {"settings", changesOf(tried)}};
+        OrderedJson json{{"choice", tried.choice}, {"settings", changesOf(tried)}};
         if (tried.worth == TriedChoice::Worth::Taken) {
             json["saves_s"] = tried.difference.si();
             taken.push_back(std::move(json));
         } else {
-            json["slower_s"] =
-                tried.worth == TriedChoice::Worth::Slower ? Json(tried.difference.si()) : Json(nullptr);
+            json["slower_s"] = tried.worth == TriedChoice::Worth::Slower ? OrderedJson(tried.difference.si())
+                                                                         : OrderedJson(nullptr);
             others.push_back(std::move(json));
         }
     }
@@ -186,49 +187,50 @@ Json choicesJson(const ChoiceTable& table) {
 
 std::string planSummaryJson(const Plan& plan, std::span<const std::string> files) {
     const Settings& settings = plan.request.settings;
-    const Json machine = Json::parse(machineJson(plan.request.machine.spec()));
-    Json summary{{"field",
-                  {{"id", plan.field().id()},
-                   {"name", plan.field().name()},
-                   {"area_m2", plan.field().area().si()},
-                   {"vertices", plan.field().vertexCount()},
-                   {"holes", plan.field().holeCount()}}},
-                 {"crs", plan.field().frame().projString()},
-                 {"machine", machine},
-                 {"machines", Json::array({machine})},
-                 {"operation", settings.choice(kOperationKind)},
-                 {"operation_sets", operationSets(settings)},
-                 {"tank", tankUseId(settings.operation().tank)},
-                 {"settings", settingsJson(plan)},
-                 {"settings_asked", askedJson(plan)},
-                 {"headland",
-                  {{"width_m", plan.headland.width.si()},
-                   {"passes", plan.headland.passes},
-                   {"rings", plan.headland.drivenPasses.size()},
-                   {"uncut_strip_m", plan.headland.uncutStrip.si()},
-                   {"uncut_corners_m2", plan.headland.uncutCorners.si()},
-                   {"mainland_ratio", plan.headland.mainlandRatio}}},
-                 {"decomposition", decompositionJson(plan.cells)},
-                 {"swaths", swathsJson(plan)},
-                 {"route", routeJson(plan)},
-                 {"path", pathJson(plan)},
-                 {"drivable", plan.drivable()},
-                 {"audit", Json::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
-                 {"timing_ms",
-                  {{"headland", milliseconds(plan.timings.headland)},
-                   {"swaths", milliseconds(plan.timings.swaths)},
-                   {"route", milliseconds(plan.timings.route)},
-                   {"path", milliseconds(plan.timings.path)},
-                   {"audit", milliseconds(plan.timings.audit)},
-                   {"total", milliseconds(plan.timings.total)}}},
-                 {"version", kVersion}};
+    const OrderedJson machine = OrderedJson::parse(machineJson(plan.request.machine.spec()));
+    OrderedJson summary{
+        {"field",
+         {{"id", plan.field().id()},
+          {"name", plan.field().name()},
+          {"area_m2", plan.field().area().si()},
+          {"vertices", plan.field().vertexCount()},
+          {"holes", plan.field().holeCount()}}},
+        {"crs", plan.field().frame().projString()},
+        {"machine", machine},
+        {"machines", OrderedJson::array({machine})},
+        {"operation", settings.choice(kOperationKind)},
+        {"operation_sets", operationSets(settings)},
+        {"tank", tankUseId(settings.operation().tank)},
+        {"settings", settingsJson(plan)},
+        {"settings_asked", askedJson(plan)},
+        {"headland",
+         {{"width_m", plan.headland.width.si()},
+          {"passes", plan.headland.passes},
+          {"rings", plan.headland.drivenPasses.size()},
+          {"uncut_strip_m", plan.headland.uncutStrip.si()},
+          {"uncut_corners_m2", plan.headland.uncutCorners.si()},
+          {"mainland_ratio", plan.headland.mainlandRatio}}},
+        {"decomposition", decompositionJson(plan.cells)},
+        {"swaths", swathsJson(plan)},
+        {"route", routeJson(plan)},
+        {"path", pathJson(plan)},
+        {"drivable", plan.drivable()},
+        {"audit", OrderedJson::parse(auditJson(plan.audit, plan.findings, plan.field().frame()))},
+        {"timing_ms",
+         {{"headland", milliseconds(plan.timings.headland)},
+          {"swaths", milliseconds(plan.timings.swaths)},
+          {"route", milliseconds(plan.timings.route)},
+          {"path", milliseconds(plan.timings.path)},
+          {"audit", milliseconds(plan.timings.audit)},
+          {"total", milliseconds(plan.timings.total)}}},
+        {"version", kVersion}};
     if (plan.choices) {
         summary["best"] = choicesJson(*plan.choices);
     }
     if (!files.empty()) {
         summary["files"] = std::vector<std::string>{files.begin(), files.end()};
     }
-    return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return summary.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace furrow

@@ -10,18 +10,18 @@ namespace furrow {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// [3, -1] as "3,-1": how the settings hold lists.
-std::string dividedByCommas(const Json& list) {
+std::string dividedByCommas(const OrderedJson& list) {
     std::string text;
-    for (const Json& entry : list) {
-        text += (text.empty() ? "" : ",") + entry.dump(-1, ' ', false, Json::error_handler_t::replace);
+    for (const OrderedJson& entry : list) {
+        text += (text.empty() ? "" : ",") + entry.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     }
     return text;
 }
 
-Result<void> applyValue(Settings& settings, const std::string& key, const Json& value,
+Result<void> applyValue(Settings& settings, const std::string& key, const OrderedJson& value,
                         std::string_view origin) {
     const auto parameter = findParameter(key);
     Result<void> applied;
@@ -52,7 +52,7 @@ Result<void> applyValue(Settings& settings, const std::string& key, const Json& 
     return {};
 }
 
-Result<void> applyObject(Settings& settings, const std::string& prefix, const Json& object,
+Result<void> applyObject(Settings& settings, const std::string& prefix, const OrderedJson& object,
                          std::string_view origin) {
     for (const auto& [name, value] : object.items()) {
         const std::string key = prefix.empty() ? name : prefix + "." + name;
@@ -68,7 +68,7 @@ Result<void> applyObject(Settings& settings, const std::string& prefix, const Js
 }  // namespace
 
 Result<void> applySettingsJson(Settings& settings, std::string_view json, std::string_view origin) {
-    const auto parsed = readJson<Json>(json, JsonKeys::Unique);
+    const auto parsed = readJson<OrderedJson>(json, JsonKeys::Unique);
     if (!parsed) {
         const JsonFault& fault = parsed.error();
         return std::unexpected(

@@ -18,7 +18,7 @@ namespace {
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 // Five decimals, from points of three, a decimetre apart at the least.
 constexpr double kHeadingSlackRad = 0.05;
-constexpr std::size_t kFewestPathPoints = 5;
+constexpr std::size_t kFewestReadPoints = 5;
 
 /// One text file, line by line; `bad` remembers the first that is not as the format has it.
 class Rows {
@@ -256,7 +256,7 @@ private:
                                     .speedMps = row[3] / 3.6});
         }
         rows.check(rows.atEnd() && path.samples.size() == count);
-        if (count > 0 && count < kFewestPathPoints) {
+        if (count > 0 && count < kFewestReadPoints) {
             found.faults.push_back(badLine(2));
         }
         finish(rows, found);

@@ -21,7 +21,7 @@ constexpr std::size_t kMostPoints = 2'000'000;
 constexpr double kFarthestM = 200'000.0;
 
 // Modes of TrackLines.txt; the others are curves along boundaries.
-constexpr int kAbMode = 2;
+constexpr int kAbTrack = 2;
 
 std::vector<std::string_view> partsOf(std::string_view line) {
     std::vector<std::string_view> parts = cellsOf(line, ',');
@@ -278,7 +278,7 @@ private:
                      message("the lines from line {} on are left out: it is damaged", lines.lineNumber()));
                 return;
             }
-            if (*mode == kAbMode) {
+            if (*mode == kAbTrack) {
                 content_.lines.push_back(
                     {.kind = GuidanceKind::AbLine, .name = std::string{*name}, .points = placed({*a, *b})});
             } else if (points->size() >= 2) {

@@ -16,7 +16,7 @@ namespace furrow {
 
 namespace {
 
-enum Column {
+enum PathColumn {
     kS,
     kT,
     kX,

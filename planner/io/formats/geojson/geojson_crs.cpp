@@ -15,17 +15,17 @@ namespace furrow {
 
 namespace {
 
-using Json = nlohmann::json;
+using CrsJson = nlohmann::json;
 
 /// A coordinate system as it stands in the text.
 struct Found {
     std::size_t feature = 0;  ///< from 1; 0 of the whole file
     bool ofFile = false;      ///< of the outermost object
-    Json value;
+    CrsJson value;
 };
 
 /// Follows a GeoJSON text and keeps the values of `crs` and `coordRefSys` where GeoJSON has a place for them.
-class CrsFinder final : public nlohmann::json_sax<Json> {
+class CrsFinder final : public nlohmann::json_sax<CrsJson> {
 public:
     std::vector<Found> found;
 
@@ -37,8 +37,8 @@ public:
     bool string(string_t& text) override { return value(text); }
     bool binary(binary_t&) override { return true; }
 
-    bool start_object(std::size_t) override { return open(Json::object()); }
-    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool start_object(std::size_t) override { return open(CrsJson::object()); }
+    bool start_array(std::size_t) override { return open(CrsJson::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
@@ -77,11 +77,11 @@ private:
         return key_ == "geometry" || key_ == "place" ? Place::Geometry : Place::Other;
     }
 
-    Found made(Json value) const {
+    Found made(CrsJson value) const {
         return {.feature = feature_, .ofFile = places_.back() == Place::Root, .value = std::move(value)};
     }
 
-    bool open(Json empty) {
+    bool open(CrsJson empty) {
         if (!kept_.empty()) {
             kept_.push_back(&add(std::move(empty)));
         } else if (isCrs()) {
@@ -104,7 +104,7 @@ private:
         return true;
     }
 
-    bool value(Json scalar) {
+    bool value(CrsJson scalar) {
         if (!kept_.empty()) {
             add(std::move(scalar));
         } else if (isCrs()) {
@@ -114,8 +114,8 @@ private:
         return true;
     }
 
-    Json& add(Json member) {
-        Json& around = *kept_.back();
+    CrsJson& add(CrsJson member) {
+        CrsJson& around = *kept_.back();
         if (around.is_array()) {
             around.push_back(std::move(member));
             return around.back();
@@ -126,29 +126,29 @@ private:
     std::string key_;
     std::size_t feature_ = 0;
     std::vector<Place> places_;
-    std::vector<Json*> kept_;  ///< objects and arrays around the current place, within a coordinate system
+    std::vector<CrsJson*> kept_;  ///< objects and arrays around the current place, within a coordinate system
 };
 
-std::string wordIn(const Json& object, const char* key) {
+std::string wordIn(const CrsJson& object, const char* key) {
     const auto member = object.is_object() ? object.find(key) : object.end();
     return member == object.end() ? std::string{}
            : member->is_string()  ? member->get<std::string>()
                                   : member->dump();
 }
 
-bool isLink(const Json& crs) {
+bool isLink(const CrsJson& crs) {
     const std::string type = inSmallLetters(wordIn(crs, "type"));
     return type == "link" || type == "url";
 }
 
 /// What it is called, as GeoJSON of 2008 writes it, and as JSON-FG does.
-std::string nameIn(const Json& crs) {
+std::string nameIn(const CrsJson& crs) {
     if (crs.is_string()) {
         const std::string name = crs.get<std::string>();
         return name.starts_with('[') && name.ends_with(']') ? name.substr(1, name.size() - 2) : name;
     }
     const std::string type = inSmallLetters(wordIn(crs, "type"));
-    const Json properties = crs.is_object() ? crs.value("properties", Json{}) : Json{};
+    const CrsJson properties = crs.is_object() ? crs.value("properties", CrsJson{}) : CrsJson{};
     return type == "name"        ? wordIn(properties, "name")
            : type == "epsg"      ? "EPSG:" + wordIn(properties, "code")
            : type == "ogc"       ? wordIn(properties, "urn")
@@ -166,7 +166,7 @@ Error refused(const Found& found, const std::string& name, Message what, Message
 Result<std::string> knownName(const Found& found, const std::string& name) {
     constexpr const char* kRemedy = "export the field again in WGS84 (longitude and latitude)";
     if (isLink(found.value)) {
-        const Json properties = found.value.value("properties", Json{});
+        const CrsJson properties = found.value.value("properties", CrsJson{});
         const std::string href = wordIn(properties, "href");
         return std::unexpected(refused(found, name,
                                        message("its coordinate system would have to be fetched from '{}'",
@@ -202,7 +202,7 @@ Result<bool> checkCrs(std::string_view text, bool sequence, const std::string& n
     std::size_t records = 0;
     for (const std::string_view record : recordsOf(text, sequence)) {
         CrsFinder finder;
-        Json::sax_parse(record, &finder, nlohmann::detail::input_format_t::json, true, true);
+        CrsJson::sax_parse(record, &finder, nlohmann::detail::input_format_t::json, true, true);
         ++records;
         for (Found& found : finder.found) {
             // A record is a feature of the file.

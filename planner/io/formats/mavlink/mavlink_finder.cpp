@@ -20,8 +20,8 @@ namespace {
 using nlohmann::json;
 
 // MAV_CMD that are written, and MAV_FRAME
-constexpr std::int64_t kWaypoint = 16;
-constexpr std::array<std::int64_t, 4> kCommands = {kWaypoint, 178, 181, 194};
+constexpr std::int64_t kWaypointItem = 16;
+constexpr std::array<std::int64_t, 4> kCommands = {kWaypointItem, 178, 181, 194};
 constexpr double kAbsolute = 0.0;
 constexpr double kRelative = 3.0;
 
@@ -41,7 +41,7 @@ void addMission(const json& mission, ReceivedContent& found) {
         }
         items.numbers.push_back(
             static_cast<std::int64_t>(numberAt(json::array({memberOf(item, "doJumpId")}), 0)));
-        if (command.get<std::int64_t>() == kWaypoint) {
+        if (command.get<std::int64_t>() == kWaypointItem) {
             path.samples.push_back({.geo = {numberAt(parameters, 5), numberAt(parameters, 4)}});
         }
     }
@@ -99,7 +99,7 @@ std::vector<ReceivedContent> findWaypoints(std::span<const FileInMemory> files, 
             const GeoPoint place{values[9], values[8]};
             if (isHome) {
                 found.points.push_back(place);
-            } else if (static_cast<std::int64_t>(values[3]) == kWaypoint) {
+            } else if (static_cast<std::int64_t>(values[3]) == kWaypointItem) {
                 path.samples.push_back({.geo = place});
             }
         }

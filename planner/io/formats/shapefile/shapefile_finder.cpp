@@ -23,17 +23,17 @@ constexpr std::int32_t kPolyLine = 3;
 constexpr std::int32_t kPolygon = 5;
 
 /// A shape's lines; a point is a line of one.
-using Shape = std::vector<GeoRing>;
+using ShapeLines = std::vector<GeoRing>;
 
 struct Shapes {
     std::int32_t kind = 0;
-    std::vector<Shape> shapes;
+    std::vector<ShapeLines> shapes;
     bool good = false;
 };
 
 /// Nothing where its parts do not fit together.
-std::optional<Shape> shapeIn(ByteReader& record, std::int32_t kind) {
-    Shape shape;
+std::optional<ShapeLines> shapeIn(ByteReader& record, std::int32_t kind) {
+    ShapeLines shape;
     if (kind == kPoint) {
         const double x = record.real();
         shape.push_back({{x, record.real()}});
@@ -156,7 +156,7 @@ bool runsLeft(const GeoRing& ring) {
 }
 
 /// The rings of one shape: clockwise ones are outlines, the others holes of the one they lie in.
-std::vector<GeoPolygon> polygonsOf(const Shape& shape) {
+std::vector<GeoPolygon> polygonsOf(const ShapeLines& shape) {
     std::vector<GeoPolygon> polygons;
     std::vector<const GeoRing*> holes;
     for (const GeoRing& ring : shape) {
@@ -262,7 +262,7 @@ std::vector<ReceivedContent> findShapefiles(std::span<const FileInMemory> files,
         } else if (read.kind == kPolyLine) {
             addLines(std::move(read), table, layer, found);
         } else if (read.kind == kPoint) {
-            for (const Shape& shape : read.shapes) {
+            for (const ShapeLines& shape : read.shapes) {
                 found.points.push_back(shape.front().front());
             }
         } else if (read.good) {
