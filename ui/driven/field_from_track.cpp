@@ -14,7 +14,7 @@ namespace furrow {
 
 namespace {
 
-QVariantMap figure(const QString& label, const QString& value) {
+QVariantMap plainFigure(const QString& label, const QString& value) {
     return {{QStringLiteral("label"), label}, {QStringLiteral("value"), value}};
 }
 
@@ -181,9 +181,9 @@ QVariantList FieldFromTrack::figures() const {
     if (outline_ == nullptr) {
         return rows;
     }
-    rows << figure(tr("Area"), areaText(outline_->area));
+    rows << plainFigure(tr("Area"), areaText(outline_->area));
     if (outline_->pieces.size() > 1) {
-        rows << figure(tr("Pieces"), QString::number(outline_->pieces.size()));
+        rows << plainFigure(tr("Pieces"), QString::number(outline_->pieces.size()));
     }
     std::size_t points = 0;
     std::size_t holes = 0;
@@ -195,9 +195,9 @@ QVariantList FieldFromTrack::figures() const {
         }
     }
     if (holes > 0) {
-        rows << figure(tr("Holes"), QString::number(holes));
+        rows << plainFigure(tr("Holes"), QString::number(holes));
     }
-    rows << figure(tr("Points of the boundary"), QString::number(points));
+    rows << plainFigure(tr("Points of the boundary"), QString::number(points));
     return rows;
 }
 

@@ -13,7 +13,7 @@ namespace furrow {
 
 namespace {
 
-struct Text {
+struct ExportText {
     Q_DECLARE_TR_FUNCTIONS(FieldsToExport)
 };
 
@@ -49,7 +49,8 @@ QString namesOf(const std::vector<FieldToExport>& fields) {
     const QString listed = names.join(QStringLiteral(", "));
     return fields.size() <= kMost
                ? listed
-               : Text::tr("%1 and %n more", nullptr, static_cast<int>(fields.size() - kMost)).arg(listed);
+               : ExportText::tr("%1 and %n more", nullptr, static_cast<int>(fields.size() - kMost))
+                     .arg(listed);
 }
 
 QStringList FieldsExported::failureTexts() const {
@@ -57,7 +58,8 @@ QStringList FieldsExported::failureTexts() const {
     for (const Failure& failure : failures) {
         QStringList parts{sentence(failure.error.what), sentence(failure.error.remedy)};
         parts.removeAll(QString{});
-        texts << Text::tr("%1: %2").arg(fromStd(failure.field), parts.join(QStringLiteral(". ")) + u'.');
+        texts << ExportText::tr("%1: %2").arg(fromStd(failure.field),
+                                              parts.join(QStringLiteral(". ")) + u'.');
     }
     return texts;
 }
@@ -65,7 +67,8 @@ QStringList FieldsExported::failureTexts() const {
 QStringList FieldsExported::problemTexts() const {
     QStringList texts;
     for (const std::string& field : withProblems) {
-        texts << Text::tr("%1: the plan has problems and cannot be driven as drawn. The files say so too.")
+        texts << ExportText::tr(
+                     "%1: the plan has problems and cannot be driven as drawn. The files say so too.")
                      .arg(fromStd(field));
     }
     return texts;

@@ -11,7 +11,7 @@ namespace furrow {
 
 namespace {
 
-struct Text {
+struct TitleText {
     Q_DECLARE_TR_FUNCTIONS(PlanTitle)
 };
 
@@ -33,9 +33,10 @@ QString PlanTitle::details() const {
         return {};
     }
     const Machine& machine = plan->request.machine;
-    return inOneLine({shown(machine.name()), Text::tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
-                      Text::tr("takes %1").arg(durationText(plan->path.duration())),
-                      Text::tr("planned %1").arg(QLocale{}.toString(finished, QLocale::ShortFormat))});
+    return inOneLine({shown(machine.name()),
+                      TitleText::tr("%1 wide").arg(metresText(machine.operatingWidth(), 1)),
+                      TitleText::tr("takes %1").arg(durationText(plan->path.duration())),
+                      TitleText::tr("planned %1").arg(QLocale{}.toString(finished, QLocale::ShortFormat))});
 }
 
 QString PlanTitle::whole() const {

@@ -7,7 +7,7 @@ namespace furrow {
 
 namespace {
 
-struct Edge {
+struct FillEdge {
     MapPoint top;
     MapPoint bottom;
 
@@ -23,8 +23,8 @@ struct Strip {
     float top;
 };
 
-std::vector<Edge> edgesFromTop(const std::vector<std::vector<MapPoint>>& rings) {
-    std::vector<Edge> edges;
+std::vector<FillEdge> edgesFromTop(const std::vector<std::vector<MapPoint>>& rings) {
+    std::vector<FillEdge> edges;
     for (const auto& ring : rings) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             MapPoint a = ring[i];
@@ -37,14 +37,14 @@ std::vector<Edge> edgesFromTop(const std::vector<std::vector<MapPoint>>& rings) 
             }
         }
     }
-    std::ranges::sort(edges, {}, [](const Edge& edge) { return edge.top.y; });
+    std::ranges::sort(edges, {}, [](const FillEdge& edge) { return edge.top.y; });
     return edges;
 }
 
 /// Where edges begin or end, each once, from the top.
-std::vector<float> heightsOf(const std::vector<Edge>& edges) {
+std::vector<float> heightsOf(const std::vector<FillEdge>& edges) {
     std::vector<float> heights;
-    for (const Edge& edge : edges) {
+    for (const FillEdge& edge : edges) {
         heights.push_back(edge.top.y);
         heights.push_back(edge.bottom.y);
     }
@@ -55,7 +55,7 @@ std::vector<float> heightsOf(const std::vector<Edge>& edges) {
 
 /// Sorts the active edges by where they are at a height; `places` are these, and room for them. Nearly sorted
 /// from the band above, so insertion is the fastest way.
-void sortAt(double height, const std::vector<Edge>& edges, std::vector<std::uint32_t>& active,
+void sortAt(double height, const std::vector<FillEdge>& edges, std::vector<std::uint32_t>& active,
             std::vector<double>& places) {
     places.resize(active.size());
     for (std::size_t k = 0; k < active.size(); ++k) {
@@ -71,8 +71,8 @@ void sortAt(double height, const std::vector<Edge>& edges, std::vector<std::uint
     }
 }
 
-void addTrapezoid(FillMesh& mesh, const Edge& left, const Edge& right, float top, float bottom) {
-    const auto at = [](const Edge& edge, float y) {
+void addTrapezoid(FillMesh& mesh, const FillEdge& left, const FillEdge& right, float top, float bottom) {
+    const auto at = [](const FillEdge& edge, float y) {
         return MapPoint{static_cast<float>(edge.xAt(double{y})), y};
     };
     const MapPoint a = at(left, top);
@@ -85,7 +85,7 @@ void addTrapezoid(FillMesh& mesh, const Edge& left, const Edge& right, float top
 }  // namespace
 
 FillMesh evenOddTriangles(const std::vector<std::vector<MapPoint>>& rings) {
-    const std::vector<Edge> edges = edgesFromTop(rings);
+    const std::vector<FillEdge> edges = edgesFromTop(rings);
     const std::vector<float> heights = heightsOf(edges);
     FillMesh mesh;
     std::vector<std::uint32_t> active;  // from left to right

@@ -35,6 +35,11 @@ struct TextLook {
     QColor colour = ink::kText;
 };
 
+// What the pages of a work order share.
+inline const TextLook kLabel{.points = 7.0, .weight = QFont::Normal, .colour = ink::kQuiet};
+inline const TextLook kBody{.points = 8.5, .weight = QFont::Normal, .colour = ink::kText};
+inline const TextLook kTitle{.points = 20.0, .weight = QFont::DemiBold, .colour = ink::kText};
+
 double textWidthMm(const QString& text, const TextLook& look = {});
 /// From one line to the next.
 double lineHeightMm(const TextLook& look = {});

@@ -22,15 +22,12 @@ namespace furrow {
 
 namespace {
 
-struct Words {
+struct LayoutWords {
     Q_DECLARE_TR_FUNCTIONS(WorkOrderPages)
 };
 
-const TextLook kLabel{.points = 7.0, .weight = QFont::Normal, .colour = ink::kQuiet};
 const TextLook kValue{.points = 9.0, .weight = QFont::Medium, .colour = ink::kText};
-const TextLook kBody{.points = 8.5, .weight = QFont::Normal, .colour = ink::kText};
 const TextLook kHeading{.points = 11.0, .weight = QFont::DemiBold, .colour = ink::kText};
-const TextLook kTitle{.points = 20.0, .weight = QFont::DemiBold, .colour = ink::kText};
 
 constexpr double kQr = 24.0;
 constexpr std::size_t kMostFindings = 40;
@@ -43,7 +40,7 @@ QString turnName(const std::string& id) {
             return shown(method->name);
         }
     }
-    return Words::tr("Several moves");
+    return LayoutWords::tr("Several moves");
 }
 
 QString operationName(const std::string& id) {
@@ -64,7 +61,7 @@ QString stageOf(const Parameter& parameter) {
 QString settingValue(const SheetSetting& setting) {
     if (setting.parameter->kind == ParameterKind::Angle) {
         if (const auto* degrees = std::get_if<double>(&setting.value)) {
-            return Words::tr("%1°").arg(numberText(*degrees, 1));
+            return LayoutWords::tr("%1°").arg(numberText(*degrees, 1));
         }
     }
     // Names of gates can be read, coordinates cannot.
@@ -73,7 +70,7 @@ QString settingValue(const SheetSetting& setting) {
                              : setting.parameter->kind == ParameterKind::Line ||
                                    setting.parameter->kind == ParameterKind::Lines;
     if (isDrawn) {
-        return Words::tr("as drawn");
+        return LayoutWords::tr("as drawn");
     }
     return sentence(shownValue(*setting.parameter, setting.value));
 }
@@ -115,17 +112,17 @@ void drawField(Canvas& canvas, const QRectF& box, const QString& label, const QS
 
 QString statusText(WorkOrderStatus status) {
     switch (status) {
-        case WorkOrderStatus::Draft: return Words::tr("Draft", "work order");
-        case WorkOrderStatus::Issued: return Words::tr("Issued", "work order");
-        case WorkOrderStatus::InProgress: return Words::tr("In progress", "work order");
+        case WorkOrderStatus::Draft: return LayoutWords::tr("Draft", "work order");
+        case WorkOrderStatus::Issued: return LayoutWords::tr("Issued", "work order");
+        case WorkOrderStatus::InProgress: return LayoutWords::tr("In progress", "work order");
         case WorkOrderStatus::Done: break;
     }
-    return Words::tr("Done", "work order");
+    return LayoutWords::tr("Done", "work order");
 }
 
 QString problemText(const OrderSheet& sheet) {
     const auto problems = static_cast<int>(sheet.blockingCount());
-    return problems == 0 ? QString{} : Words::tr("Not drivable: %n problem(s)", nullptr, problems);
+    return problems == 0 ? QString{} : LayoutWords::tr("Not drivable: %n problem(s)", nullptr, problems);
 }
 
 OrderLayout::OrderLayout(const OrderedPlan& plan, const QString& farm, PageFlow& flow)
@@ -151,8 +148,8 @@ void OrderLayout::layHead() {
     const QRectF box = flow_.take(19.0);
     const double textWidth = flow_.width() - kQr - 4.0;
     const QString title = plan_.order.number.empty()
-                              ? Words::tr("Work order")
-                              : Words::tr("Work order %1").arg(fromStd(plan_.order.number));
+                              ? LayoutWords::tr("Work order")
+                              : LayoutWords::tr("Work order %1").arg(fromStd(plan_.order.number));
     QStringList under;
     for (const QString& part :
          {plan_.planName, plan_.season, operationName(sheet_.operation), shown(sheet_.machine.name()),
@@ -185,7 +182,7 @@ QString OrderLayout::rateText() const {
     const double rate = *plan_.order.ratePerHectare * (acres ? kAcreM2 / kHectareM2 : 1.0);
     const QString amount =
         QStringLiteral("%1 %2").arg(shortNumberText(rate, 2), fromStd(plan_.order.rateUnit));
-    return (acres ? Words::tr("%1/ac") : Words::tr("%1/ha")).arg(amount.trimmed());
+    return (acres ? LayoutWords::tr("%1/ac") : LayoutWords::tr("%1/ha")).arg(amount.trimmed());
 }
 
 QString OrderLayout::totalText() const {
@@ -207,13 +204,13 @@ void OrderLayout::layOrder() {
     const QString rate = rateText();
     const QString total = totalText();
     const std::array<Row, 6> fields{
-        Row{Words::tr("Customer"), fromStd(plan_.order.customer)},
-        Row{Words::tr("Field address"), fromStd(plan_.order.address)},
-        Row{Words::tr("Operator"), fromStd(plan_.order.operatorName)},
-        Row{Words::tr("Time"), fromStd(plan_.order.timeWindow)},
-        Row{Words::tr("Product"), fromStd(plan_.order.product)},
-        Row{Words::tr("Rate and total"),
-            total.isEmpty() ? rate : Words::tr("%1 = %2", "rate and total").arg(rate, total)}};
+        Row{LayoutWords::tr("Customer"), fromStd(plan_.order.customer)},
+        Row{LayoutWords::tr("Field address"), fromStd(plan_.order.address)},
+        Row{LayoutWords::tr("Operator"), fromStd(plan_.order.operatorName)},
+        Row{LayoutWords::tr("Time"), fromStd(plan_.order.timeWindow)},
+        Row{LayoutWords::tr("Product"), fromStd(plan_.order.product)},
+        Row{LayoutWords::tr("Rate and total"),
+            total.isEmpty() ? rate : LayoutWords::tr("%1 = %2", "rate and total").arg(rate, total)}};
     flow_.draw([=](Canvas& canvas) {
         canvas.line(box.topLeft() + QPointF{0.0, 0.4}, box.topLeft() + QPointF{textWidth + 4.0, 0.4},
                     ink::kLine);
@@ -228,7 +225,8 @@ void OrderLayout::layOrder() {
     const GeoPoint meeting = meetingPlace(sheet_);
     const QString geo =
         QStringLiteral("geo:%1,%2").arg(meeting.latDeg, 0, 'f', 6).arg(meeting.lonDeg, 0, 'f', 6);
-    const QString caption = sheet_.gates.empty() ? Words::tr("Where the work starts") : Words::tr("Gate");
+    const QString caption =
+        sheet_.gates.empty() ? LayoutWords::tr("Where the work starts") : LayoutWords::tr("Gate");
     const QRectF code{flow_.left() + flow_.width() - kQr, PageFlow::kMargin, kQr, kQr};
     flow_.draw([=, place = placeText(meeting)](Canvas& canvas) {
         drawQrCode(canvas, code, geo);
@@ -270,18 +268,19 @@ std::vector<OrderLayout::Row> OrderLayout::figureRows() const {
     const double working = figures.path.si() > 0.0 ? figures.working / figures.path : 0.0;
     const QString dash = QStringLiteral("–");
     return {
-        {Words::tr("Area"), areaText(figures.field)},
-        {Words::tr("Time"), durationText(figures.time)},
-        {Words::tr("Driven"), lengthText(figures.path)},
-        {Words::tr("Working"), inOneLine({lengthText(figures.working), percentText(working)})},
-        {Words::tr("Turning"),
+        {LayoutWords::tr("Area"), areaText(figures.field)},
+        {LayoutWords::tr("Time"), durationText(figures.time)},
+        {LayoutWords::tr("Driven"), lengthText(figures.path)},
+        {LayoutWords::tr("Working"), inOneLine({lengthText(figures.working), percentText(working)})},
+        {LayoutWords::tr("Turning"),
          inOneLine({lengthText(figures.path - figures.working), percentText(1.0 - working)})},
-        {Words::tr("Covered"), percentOrDash(figures.coveredShare, 1)},
-        {Words::tr("Worked twice"), percentOrDash(figures.overlapShare, 1)},
-        {Words::tr("Outside the field"), figures.outside ? squareMetresText(*figures.outside, 0) : dash},
-        {Words::tr("Fuel"),
-         figures.fuelLitres ? Words::tr("%1 l").arg(numberText(*figures.fuelLitres, 0)) : dash},
-        {Words::tr("Above the best order"), percentOrDash(figures.gap, 1)},
+        {LayoutWords::tr("Covered"), percentOrDash(figures.coveredShare, 1)},
+        {LayoutWords::tr("Worked twice"), percentOrDash(figures.overlapShare, 1)},
+        {LayoutWords::tr("Outside the field"),
+         figures.outside ? squareMetresText(*figures.outside, 0) : dash},
+        {LayoutWords::tr("Fuel"),
+         figures.fuelLitres ? LayoutWords::tr("%1 l").arg(numberText(*figures.fuelLitres, 0)) : dash},
+        {LayoutWords::tr("Above the best order"), percentOrDash(figures.gap, 1)},
     };
 }
 
@@ -317,17 +316,17 @@ void OrderLayout::heading(const QString& text, double heightBelow) {
 std::vector<OrderLayout::Row> OrderLayout::machineRows() const {
     const Machine& machine = sheet_.machine;
     const MachineSpec& spec = machine.spec();
-    std::vector<Row> rows{
-        {Words::tr("Machine"), shown(machine.name())},
-        {Words::tr("Working width"), shortLengthText(machine.operatingWidth())},
-        {Words::tr("Width in turns"), shortLengthText(machine.turningWidth())},
-        {Words::tr("Turning radius"), metresText(machine.minTurningRadius(), 1)},
-        {Words::tr("Speed at work"), speedText(spec.tractor.workingSpeed)},
-        {Words::tr("Speed in turns"), speedText(spec.tractor.turningSpeed)},
-        {Words::tr("Implement"),
-         spec.implement.mounting == Mounting::Trailed ? Words::tr("trailed") : Words::tr("mounted")}};
+    std::vector<Row> rows{{LayoutWords::tr("Machine"), shown(machine.name())},
+                          {LayoutWords::tr("Working width"), shortLengthText(machine.operatingWidth())},
+                          {LayoutWords::tr("Width in turns"), shortLengthText(machine.turningWidth())},
+                          {LayoutWords::tr("Turning radius"), metresText(machine.minTurningRadius(), 1)},
+                          {LayoutWords::tr("Speed at work"), speedText(spec.tractor.workingSpeed)},
+                          {LayoutWords::tr("Speed in turns"), speedText(spec.tractor.turningSpeed)},
+                          {LayoutWords::tr("Implement"), spec.implement.mounting == Mounting::Trailed
+                                                             ? LayoutWords::tr("trailed")
+                                                             : LayoutWords::tr("mounted")}};
     if (spec.tank) {
-        rows.push_back({Words::tr("Tank"), numberText(spec.tank->capacity, 0)});
+        rows.push_back({LayoutWords::tr("Tank"), numberText(spec.tank->capacity, 0)});
     }
     return rows;
 }
@@ -335,22 +334,22 @@ std::vector<OrderLayout::Row> OrderLayout::machineRows() const {
 std::vector<OrderLayout::Row> OrderLayout::planRows() const {
     const SheetFigures& figures = sheet_.figures;
     const QString headland = figures.headlandPasses > 0
-                                 ? inOneLine({Words::tr("%n pass(es)", nullptr, figures.headlandPasses),
+                                 ? inOneLine({LayoutWords::tr("%n pass(es)", nullptr, figures.headlandPasses),
                                               metresText(figures.headlandWidth, 1)})
-                                 : Words::tr("none", "headland");
-    std::vector<Row> rows{{Words::tr("Operation"), operationName(sheet_.operation)},
-                          {Words::tr("Headland"), headland},
-                          {Words::tr("Swaths"), numberText(figures.swaths, 0)},
-                          {Words::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
+                                 : LayoutWords::tr("none", "headland");
+    std::vector<Row> rows{{LayoutWords::tr("Operation"), operationName(sheet_.operation)},
+                          {LayoutWords::tr("Headland"), headland},
+                          {LayoutWords::tr("Swaths"), numberText(figures.swaths, 0)},
+                          {LayoutWords::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
     if (figures.refills > 0) {
         const bool unloads = operationOf(sheet_.operation).tank == TankUse::Fills;
-        rows.push_back({unloads ? Words::tr("Unloadings") : Words::tr("Refills"),
+        rows.push_back({unloads ? LayoutWords::tr("Unloadings") : LayoutWords::tr("Refills"),
                         inOneLine({numberText(figures.refills, 0), lengthText(figures.refillWay)})});
     }
     for (const SheetSetting& setting : sheet_.settings) {
         const QString stage = stageOf(*setting.parameter);
         const QString name = shown(setting.parameter->name);
-        rows.push_back({stage.isEmpty() || stage == name ? name : Words::tr("%1: %2").arg(stage, name),
+        rows.push_back({stage.isEmpty() || stage == name ? name : LayoutWords::tr("%1: %2").arg(stage, name),
                         settingValue(setting)});
     }
     return rows;
@@ -396,17 +395,17 @@ void OrderLayout::layFacts() {
     constexpr std::size_t kMostRows = 40;
     std::vector<Row> rows = planRows();
     rows.resize(std::min(rows.size(), kMostRows));
-    rowsSideBySide(Words::tr("Machine"), machineRows(), Words::tr("Plan and settings"), rows);
+    rowsSideBySide(LayoutWords::tr("Machine"), machineRows(), LayoutWords::tr("Plan and settings"), rows);
 }
 
 void OrderLayout::layRecord() {
-    heading(Words::tr("What was done"), 46.0);
+    heading(LayoutWords::tr("What was done"), 46.0);
     constexpr double kHeight = 44.0;
     const QRectF box = flow_.take(kHeight);
     const QString area = plan_.order.actualArea ? hectaresText(*plan_.order.actualArea, 2) : QString{};
     const QString time = plan_.order.actualTime ? durationText(*plan_.order.actualTime) : QString{};
-    const QString areaLabel =
-        Display::instance().isImperial() ? Words::tr("Acres worked") : Words::tr("Hectares worked");
+    const QString areaLabel = Display::instance().isImperial() ? LayoutWords::tr("Acres worked")
+                                                               : LayoutWords::tr("Hectares worked");
     flow_.draw([=, status = plan_.order.status, remark = fromStd(plan_.order.remark)](Canvas& canvas) {
         const double column = box.width() / 4.0;
         const auto cell = [&](int index, int row, int span = 1) {
@@ -425,24 +424,24 @@ void OrderLayout::layRecord() {
             x += 4.6 + textWidthMm(statusText(each), kBody) + 7.0;
         }
         drawField(canvas, cell(0, 0), areaLabel, area);
-        drawField(canvas, cell(1, 0), Words::tr("Hours"), time);
-        drawField(canvas, cell(2, 0), Words::tr("Begin"), {});
-        drawField(canvas, cell(3, 0), Words::tr("End", "of the work"), {});
-        drawField(canvas, cell(0, 1), Words::tr("Wind"), {});
-        drawField(canvas, cell(1, 1), Words::tr("Temperature"), {});
-        drawField(canvas, cell(2, 1, 2), Words::tr("Remarks"), remark);
-        drawField(canvas, cell(0, 2, 2), Words::tr("Date"), {});
-        drawField(canvas, cell(2, 2, 2), Words::tr("Signature"), {});
+        drawField(canvas, cell(1, 0), LayoutWords::tr("Hours"), time);
+        drawField(canvas, cell(2, 0), LayoutWords::tr("Begin"), {});
+        drawField(canvas, cell(3, 0), LayoutWords::tr("End", "of the work"), {});
+        drawField(canvas, cell(0, 1), LayoutWords::tr("Wind"), {});
+        drawField(canvas, cell(1, 1), LayoutWords::tr("Temperature"), {});
+        drawField(canvas, cell(2, 1, 2), LayoutWords::tr("Remarks"), remark);
+        drawField(canvas, cell(0, 2, 2), LayoutWords::tr("Date"), {});
+        drawField(canvas, cell(2, 2, 2), LayoutWords::tr("Signature"), {});
     });
 }
 
 void OrderLayout::layFindings() {
-    heading(Words::tr("Findings"), 10.0);
+    heading(LayoutWords::tr("Findings"), 10.0);
     if (sheet_.findings.empty()) {
         const QRectF box = flow_.take(5.0);
         flow_.draw([box](Canvas& canvas) {
             canvas.text(box.topLeft() + QPointF{0.0, 3.6},
-                        Words::tr("None: the plan can be driven as drawn."), kBody);
+                        LayoutWords::tr("None: the plan can be driven as drawn."), kBody);
         });
         return;
     }
@@ -480,8 +479,8 @@ void OrderLayout::layFindings() {
     }
     if (sheet_.findings.size() > count) {
         const QRectF box = flow_.take(5.0);
-        const QString more = Words::tr("and %n more, in the window and in summary.json", nullptr,
-                                       static_cast<int>(sheet_.findings.size() - count));
+        const QString more = LayoutWords::tr("and %n more, in the window and in summary.json", nullptr,
+                                             static_cast<int>(sheet_.findings.size() - count));
         flow_.draw([=](Canvas& canvas) { canvas.text(box.topLeft() + QPointF{indent, 3.6}, more, quiet); });
     }
 }
@@ -492,13 +491,15 @@ void OrderLayout::layTurns() {
     }
     QStringList kinds;
     for (const SheetTurns& turns : sheet_.turns) {
-        kinds << Words::tr("%1 × %2", "count and kind of turns").arg(turns.count).arg(turnName(turns.type));
+        kinds << LayoutWords::tr("%1 × %2", "count and kind of turns")
+                     .arg(turns.count)
+                     .arg(turnName(turns.type));
     }
     if (sheet_.figures.reverse > metres(0.0)) {
-        kinds << Words::tr("%1 in reverse").arg(lengthText(sheet_.figures.reverse));
+        kinds << LayoutWords::tr("%1 in reverse").arg(lengthText(sheet_.figures.reverse));
     }
     const QStringList lines = wrappedLines(inOneLine(kinds), flow_.width(), kBody);
-    heading(Words::tr("Turns"), lineHeightMm(kBody) * static_cast<double>(lines.size()));
+    heading(LayoutWords::tr("Turns"), lineHeightMm(kBody) * static_cast<double>(lines.size()));
     for (const QString& line : lines) {
         const QRectF box = flow_.take(lineHeightMm(kBody));
         flow_.draw([=](Canvas& canvas) { canvas.text(box.topLeft() + QPointF{0.0, 3.2}, line, kBody); });
@@ -519,17 +520,18 @@ void OrderLayout::layPasses() {
     for (const SheetPass& pass : sheet_.passes) {
         const bool headland = pass.kind == SegmentKind::HeadlandPass;
         passes.push_back(
-            {headland ? Words::tr("H%1", "headland pass").arg(pass.number) : QString::number(++swath),
-             headland ? Words::tr("Headland") : Words::tr("Swath %1").arg(pass.number),
+            {headland ? LayoutWords::tr("H%1", "headland pass").arg(pass.number) : QString::number(++swath),
+             headland ? LayoutWords::tr("Headland") : LayoutWords::tr("Swath %1").arg(pass.number),
              lengthText(pass.length),
-             pass.bearingDeg ? Words::tr("%1°").arg(static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
-                             : QString{}});
+             pass.bearingDeg
+                 ? LayoutWords::tr("%1°").arg(static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
+                 : QString{}});
     }
     constexpr int kColumns = 4;
     constexpr double kBearing = 7.8;
     const TextLook cell{.points = 8.0, .weight = QFont::Normal, .colour = ink::kText};
     const double width = flow_.width() / kColumns;
-    heading(Words::tr("Order of the passes"), kHead + 3.0 * kRow);
+    heading(LayoutWords::tr("Order of the passes"), kHead + 3.0 * kRow);
     std::size_t next = 0;
     while (next < passes.size()) {
         flow_.need(kHead + kRow);
@@ -545,10 +547,11 @@ void OrderLayout::layPasses() {
                                                     passes.begin() + static_cast<std::ptrdiff_t>(end))](
                            Canvas& canvas) {
                 const double top = box.top();
-                canvas.text({x + 6.0, top + 3.2}, Words::tr("No."), kLabel, Qt::AlignRight);
-                canvas.text({x + 7.5, top + 3.2}, Words::tr("Pass"), kLabel);
-                canvas.text({x + inner - kBearing, top + 3.2}, Words::tr("Length"), kLabel, Qt::AlignRight);
-                canvas.text({x + inner, top + 3.2}, Words::tr("To"), kLabel, Qt::AlignRight);
+                canvas.text({x + 6.0, top + 3.2}, LayoutWords::tr("No."), kLabel, Qt::AlignRight);
+                canvas.text({x + 7.5, top + 3.2}, LayoutWords::tr("Pass"), kLabel);
+                canvas.text({x + inner - kBearing, top + 3.2}, LayoutWords::tr("Length"), kLabel,
+                            Qt::AlignRight);
+                canvas.text({x + inner, top + 3.2}, LayoutWords::tr("To"), kLabel, Qt::AlignRight);
                 TextLook bold = cell;
                 bold.weight = QFont::DemiBold;
                 for (std::size_t i = 0; i < part.size(); ++i) {
@@ -578,7 +581,7 @@ void OrderLayout::layHash() {
     flow_.draw([box, hash = plan_.hash](Canvas& canvas) {
         canvas.text(
             box.topLeft() + QPointF{0.0, 3.0},
-            Words::tr(
+            LayoutWords::tr(
                 "This plan's path.csv has the SHA-256 sum below. A file with another sum is another plan."),
             kLabel);
         canvas.text(box.topLeft() + QPointF{0.0, 7.2}, hash,

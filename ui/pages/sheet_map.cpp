@@ -18,7 +18,7 @@ namespace furrow {
 
 namespace {
 
-struct Words {
+struct MapWords {
     Q_DECLARE_TR_FUNCTIONS(WorkOrderPages)
 };
 
@@ -249,7 +249,7 @@ void SheetMap::layNumbers(const OrderSheet& sheet, LabelPlaces& places) {
         if (pass.kind != SegmentKind::HeadlandPass || std::ranges::contains(named, pass.number)) {
             continue;
         }
-        const QString text = Words::tr("H%1", "headland pass").arg(pass.number);
+        const QString text = MapWords::tr("H%1", "headland pass").arg(pass.number);
         LabelWish wish{.places = {}, .width = textWidthMm(text, kRingLook) + 1.2, .height = kNumberHeight};
         for (int twelfth = 1; twelfth < 12; ++twelfth) {
             wish.places.push_back(plain(onPage(pointAt(pass.line, twelfth / 12.0).place)));
@@ -351,7 +351,7 @@ void SheetMap::drawKey(Canvas& canvas) const {
     canvas.polygon({{x, middle - 3.2}, {x + 1.5, middle + 2.2}, {x, middle + 1.1}, {x - 1.5, middle + 2.2}},
                    ink::kText);
     x += 2.6;
-    canvas.text({x, base}, Words::tr("N", "north"), {.points = 8.0, .weight = QFont::DemiBold});
+    canvas.text({x, base}, MapWords::tr("N", "north"), {.points = 8.0, .weight = QFont::DemiBold});
     x += 6.0;
 
     const QuantityText& quantities = *Display::instance().quantities();
@@ -364,7 +364,7 @@ void SheetMap::drawKey(Canvas& canvas) const {
     canvas.text({x + bar + 0.5 * textWidthMm(length, kKeyLook), middle - 0.2}, length, kKeyLook,
                 Qt::AlignRight);
     x += bar + 0.5 * textWidthMm(length, kKeyLook) + 4.0;
-    const QString scale = Words::tr("1 : %1", "scale of a map").arg(numberText(scale_, 0));
+    const QString scale = MapWords::tr("1 : %1", "scale of a map").arg(numberText(scale_, 0));
     const TextLook bold{.points = 8.0, .weight = QFont::DemiBold};
     canvas.text({x, base}, scale, bold);
     x += textWidthMm(scale, bold) + 6.0;
@@ -385,25 +385,25 @@ void SheetMap::drawKey(Canvas& canvas) const {
             canvas.line(at, at + QPointF{6.0, 0.0}, colour, width, style);
         };
     };
-    entry(Words::tr("Start"), [&](QPointF at) { drawStart(canvas, at + QPointF{4.6, 0.0}); });
-    entry(Words::tr("End"), [&](QPointF at) { drawEnd(canvas, at + QPointF{4.6, 0.0}); });
+    entry(MapWords::tr("Start"), [&](QPointF at) { drawStart(canvas, at + QPointF{4.6, 0.0}); });
+    entry(MapWords::tr("End"), [&](QPointF at) { drawEnd(canvas, at + QPointF{4.6, 0.0}); });
     if (!swaths_.empty()) {
-        entry(Words::tr("Swath"), sampleLine(ink::kSwath, 0.35));
+        entry(MapWords::tr("Swath"), sampleLine(ink::kSwath, 0.35));
     }
     if (!rings_.empty()) {
-        entry(Words::tr("Headland pass"), sampleLine(ink::kHeadland, 0.35, Qt::DashLine));
+        entry(MapWords::tr("Headland pass"), sampleLine(ink::kHeadland, 0.35, Qt::DashLine));
     }
-    entry(Words::tr("Implement up"), sampleLine(ink::kTurn, 0.35));
+    entry(MapWords::tr("Implement up"), sampleLine(ink::kTurn, 0.35));
     if (!findings_.empty()) {
-        entry(Words::tr("Finding"), [&](QPointF at) {
+        entry(MapWords::tr("Finding"), [&](QPointF at) {
             drawDiamond(canvas, at + QPointF{4.6, 0.0}, QStringLiteral("1"), findings_.front().blocking, 1.8);
         });
     }
     if (!gates_.empty()) {
-        entry(Words::tr("Gate"), [&](QPointF at) { drawGate(canvas, at + QPointF{4.6, 0.0}); });
+        entry(MapWords::tr("Gate"), [&](QPointF at) { drawGate(canvas, at + QPointF{4.6, 0.0}); });
     }
     if (!solid_.empty() || !passable_.empty()) {
-        entry(Words::tr("Obstacle"), [&](QPointF at) {
+        entry(MapWords::tr("Obstacle"), [&](QPointF at) {
             const QRectF box{at + QPointF{1.5, -1.2}, QSizeF{4.5, 2.4}};
             hatch(canvas, {QPolygonF{box}}, solid_.empty());
         });

@@ -17,14 +17,11 @@ namespace furrow {
 
 namespace {
 
-struct Words {
+struct PageWords {
     Q_DECLARE_TR_FUNCTIONS(WorkOrderPages)
 };
 
-const TextLook kBody{.points = 8.5, .weight = QFont::Normal, .colour = ink::kText};
 const TextLook kBold{.points = 8.5, .weight = QFont::DemiBold, .colour = ink::kText};
-const TextLook kLabel{.points = 7.0, .weight = QFont::Normal, .colour = ink::kQuiet};
-const TextLook kTitle{.points = 20.0, .weight = QFont::DemiBold, .colour = ink::kText};
 
 // As many digits as tell plans apart when they are compared by eye.
 constexpr qsizetype kShortHash = 12;
@@ -62,22 +59,23 @@ private:
     void layTitle() {
         const QRectF box = flow_.take(20.0);
         flow_.draw(
-            [box, farm = job_.farm.isEmpty() ? Words::tr("Farm") : job_.farm,
+            [box, farm = job_.farm.isEmpty() ? PageWords::tr("Farm") : job_.farm,
              count = static_cast<int>(job_.plans.size()),
              date = QLocale{}.toString(job_.printed.date(), QStringLiteral("d MMM yyyy"))](Canvas& canvas) {
-                canvas.text(box.topLeft() + QPointF{0.0, 3.6}, Words::tr("Work orders"),
+                canvas.text(box.topLeft() + QPointF{0.0, 3.6}, PageWords::tr("Work orders"),
                             {.points = 10.0, .weight = QFont::DemiBold, .colour = ink::kAccent});
                 canvas.text(box.topLeft() + QPointF{0.0, 11.8}, elided(farm, box.width(), kTitle), kTitle);
                 canvas.text(box.topLeft() + QPointF{0.0, 17.4},
-                            inOneLine({Words::tr("%n field(s)", nullptr, count), date}),
+                            inOneLine({PageWords::tr("%n field(s)", nullptr, count), date}),
                             {.points = 10.0, .weight = QFont::Normal, .colour = ink::kQuiet});
             });
     }
 
     void layHead() {
-        layRow({Words::tr("Field"), Words::tr("Plan"), Words::tr("Machine"), Words::tr("Area"),
-                Words::tr("Time"), Words::tr("Driven"), Words::tr("State"), Words::tr("Page")},
-               kLabel, false);
+        layRow(
+            {PageWords::tr("Field"), PageWords::tr("Plan"), PageWords::tr("Machine"), PageWords::tr("Area"),
+             PageWords::tr("Time"), PageWords::tr("Driven"), PageWords::tr("State"), PageWords::tr("Page")},
+            kLabel, false);
         flow_.draw([y = flow_.y() - 0.8, x = flow_.left(), width = flow_.width()](Canvas& canvas) {
             canvas.line({x, y}, {x + width, y}, ink::kLine);
         });
@@ -91,7 +89,7 @@ private:
                 areaText(sheet.figures.field),
                 durationText(sheet.figures.time),
                 lengthText(sheet.figures.path),
-                sheet.blockingCount() > 0 ? Words::tr("Not drivable") : statusText(plan.order.status),
+                sheet.blockingCount() > 0 ? PageWords::tr("Not drivable") : statusText(plan.order.status),
                 QString::number(page)};
     }
 
@@ -123,7 +121,7 @@ private:
         flow_.draw([y = flow_.y() + 0.3, x = flow_.left(), width = flow_.width()](Canvas& canvas) {
             canvas.line({x, y}, {x + width, y}, ink::kText, 0.3);
         });
-        layRow({Words::tr("Total"), {}, {}, areaText(area), durationText(time), lengthText(path), {}, {}},
+        layRow({PageWords::tr("Total"), {}, {}, areaText(area), durationText(time), lengthText(path), {}, {}},
                kBold, false);
     }
 
@@ -173,17 +171,17 @@ WorkOrderPages::WorkOrderPages(const PrintJob& job) : size_{paperMm(job.paper)} 
     const QString date = QLocale{}.toString(job.printed, QStringLiteral("d MMM yyyy, HH:mm"));
     for (int i = 0; i < all; ++i) {
         const OrderedPlan* const plan = planOfPage[static_cast<std::size_t>(i)];
-        QStringList parts{Words::tr("Furrow %1").arg(QStringLiteral(FURROW_VERSION)), date};
+        QStringList parts{PageWords::tr("Furrow %1").arg(QStringLiteral(FURROW_VERSION)), date};
         if (plan != nullptr) {
             parts << fromStd(plan->sheet->fieldName);
             if (!plan->order.number.empty()) {
                 parts << fromStd(plan->order.number);
             }
-            parts << Words::tr("plan %1").arg(plan->hash.left(kShortHash));
+            parts << PageWords::tr("plan %1").arg(plan->hash.left(kShortHash));
         }
         pages_[static_cast<std::size_t>(i)].push_back(
             [size = size_, text = inOneLine(parts),
-             number = Words::tr("Page %1 of %2").arg(i + 1).arg(all)](Canvas& canvas) {
+             number = PageWords::tr("Page %1 of %2").arg(i + 1).arg(all)](Canvas& canvas) {
                 const double y = size.height() - PageFlow::kMargin;
                 const double right = size.width() - PageFlow::kMargin;
                 canvas.line({PageFlow::kMargin, y - 4.5}, {right, y - 4.5}, ink::kLine);
