@@ -131,6 +131,11 @@ programs_work() {
     status=0
     QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" --colour 2>"$work/wrong.txt" || status=$?
     expect tellsWhatIsWrong "$status $(cat "$work/wrong.txt")" "1 furrow: Unknown option 'colour'."
+    # The next start of the user is as the last one was.
+    status=0
+    XDG_CONFIG_HOME="$work/config" QT_QPA_PLATFORM=offscreen "$prefix/bin/furrow" --size 900x700 \
+        --screenshot "$work/window.png" 2>/dev/null || status=$?
+    expect picturesLeaveSettingsAlone "$status $(find "$work/config" -type f 2>/dev/null | wc -l) $(head -c 4 "$work/window.png" | tail -c 3)" '0 0 PNG'
 }
 
 installs_every_part
