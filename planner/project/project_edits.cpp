@@ -236,7 +236,7 @@ Project withPlanCopy(Project project, const std::string& name) {
 Project withStraightSteps(Project project, std::span<const std::size_t> fields) {
     for (const std::size_t index : fields) {
         const FieldSource& source = *project.fields[index]->source;
-        auto straight = stepsOf(source) ? withStraightSteps(source) : source;
+        auto straight = withStraightSteps(source);
         if (straight && *straight != source) {
             ProjectField field = *project.fields[index];
             field.source = std::make_shared<const FieldSource>(*std::move(straight));

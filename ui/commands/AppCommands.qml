@@ -58,6 +58,7 @@ QtObject {
     signal quitRequested()
     signal panelRequested()
     signal stepsRequested()
+    signal straightenStepsRequested()
     signal imageryRequested()
     signal tileFolderRequested()
 
@@ -293,7 +294,7 @@ QtObject {
             text: qsTr("Make the outline's steps straight")
             keywords: qsTr("pixels image stairs smooth simplify")
             enabled: root.page.editor.outlineSteps > 0
-            onTriggered: root.page.editor.straightenSteps(false)
+            onTriggered: root.straightenStepsRequested()
         },
         Command {
             objectName: "command.renameField"

@@ -17,7 +17,7 @@ NoticeCard {
     property string failedId: ""
 
     objectName: "outlineSteps"
-    visible: hasPlace && editor.outlineSteps > 0 && !closed.includes(editor.fieldId)
+    visible: hasPlace && editor.outlineSteps > 0 && (failed || !closed.includes(editor.fieldId))
     failed: failedId === editor.fieldId
     text: qsTr("The outline has %1 steps of about %2 %3, like the pixels of an image.").arg(editor.outlineSteps).arg(Display.quantities.text(editor.stepHeightM, QuantityText.Length, 1)).arg(Display.quantities.unit(QuantityText.Length))
     remedy: failed ? qsTr("Made straight, it would cross itself. Move or delete points there.") : qsTr("No machine follows them. Straight edges lead through the middles of the steps.")
@@ -36,7 +36,10 @@ NoticeCard {
     PushButton {
         objectName: "outlineSteps.close"
         text: qsTr("Close")
-        onClicked: root.closed = root.closed.concat([root.editor.fieldId])
+        onClicked: {
+            root.failedId = "";
+            root.closed = root.closed.concat([root.editor.fieldId]);
+        }
     }
 
     function straighten(all: bool): void {

@@ -139,6 +139,7 @@ ApplicationWindow {
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
         onImageryRequested: imageryDialogs.addFiles()
+        onStraightenStepsRequested: stepsNotice.straighten(false)
         onTileFolderRequested: imageryDialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
@@ -366,6 +367,8 @@ ApplicationWindow {
             onGoRequested: page.fitArea(area, true)
         }
         StepsNotice {
+            id: stepsNotice
+
             z: 1
             anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
             // Beside the tour.

@@ -94,7 +94,8 @@ private slots:
         QCOMPARE(source().parts.front().outer.size(), points);
         click(QStringLiteral("outlineSteps.close"));
         QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
-        editor()->straightenSteps(false);
+        QVERIFY(QMetaObject::invokeMethod(
+            window_->findChild<QObject*>(QStringLiteral("command.straightenSteps")), "trigger"));
         QVERIFY(source().parts.front().outer.size() < 17);
     }
     void stepsOfAllFieldsAreMadeStraight() {
