@@ -3,7 +3,7 @@ option(FURROW_WARNINGS_ARE_ERRORS "Stop at a compiler warning; off for packagers
 set(FURROW_SANITIZE "" CACHE STRING "Sanitisers for every target: address,undefined or thread")
 
 # Of a source that stands alone, its headers and their templates take more than half of the time.
-option(FURROW_UNITE_SOURCES "Compile sources of one room together: half the time from nothing, more after a change" ON)
+option(FURROW_UNITE_SOURCES "Compile sources of one room together: less time from nothing, more after a change" ON)
 
 option(FURROW_FUZZ "Build the fuzz targets of tests/fuzz instead of the tests; needs clang" OFF)
 
