@@ -340,7 +340,8 @@ private slots:
         }
         QVERIFY(all.back().finished);
         QVERIFY(session.exporter()->refusal().isEmpty());
-        // The bar goes on, and never back. It is told a few times a second: how often depends on the computer.
+        // The bar goes on, and never back. It is told a few times a second: how often depends on the
+        // computer.
         QVERIFY(std::ranges::is_sorted(shares));
         shares.erase(std::ranges::unique(shares).begin(), shares.end());
         QVERIFY2(shares.size() > 2, qPrintable(QString::number(shares.size())));
