@@ -32,9 +32,12 @@ constexpr double kNearPattern = 0.04;
 // best into it and out of it may be any of them.
 constexpr std::size_t kFewSwaths = 40;
 // A plan in another order, or along another heading, that takes this many times as long as the best one may
-// still become the best with corners and an order of its own. Those of a heading change more.
+// still become the best with corners and an order of its own. Those change more for a heading, and where the
+// headland takes nearly all of the time.
 constexpr double kNearInOrder = 1.02;
 constexpr double kNearInHeading = 1.06;
+constexpr double kNearInHeadland = 1.06;
+constexpr std::size_t kMostlyHeadland = 8;  // swaths
 // Share of the progress of a plan in another order, or along another heading, before its own corners and
 // orders.
 constexpr double kItself = 0.6;
@@ -88,6 +91,10 @@ std::optional<BestSoFar> with(const BestSoFar& best, std::optional<PlannedStages
         other.plan = std::move(made);
         return other;
     });
+}
+
+double nearInOrder(const PlannedStages& plan) {
+    return plan.ordered->route.steps.size() <= kMostlyHeadland ? kNearInHeadland : kNearInOrder;
 }
 
 /// Without a reverse gear the third kind is the second one.
@@ -225,7 +232,7 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     const auto withCorner = [&](std::size_t i, const JobContext& piece) -> Result<std::optional<BestSoFar>> {
         PlanRequest request = best.plan.request;
         request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
-        auto plan = isFirst ? nearPlan(best, request, kNearInOrder, nullptr, piece)
+        auto plan = isFirst ? nearPlan(best, request, nearInOrder(best.plan), nullptr, piece)
                             : nearPlan(best, request, 1.0, &meanwhile, piece);
         return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
             isNear[i] = made ? 1 : 0;
@@ -298,7 +305,7 @@ Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, std
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
-    auto plan = nearPlan(best, request, kNearInOrder, nullptr, job.part(0.0, kItself));
+    auto plan = nearPlan(best, request, nearInOrder(best.plan), nullptr, job.part(0.0, kItself));
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
     }

@@ -151,6 +151,10 @@ void TestSimplerChoices::areNotQuicker_data() {
                     << QString{} << machine;
             }
         }
+        // Three swaths: the order that leads best into corners that are driven is not the quickest without.
+        QTest::newRow("narrow parcel, cultivator")
+            << QStringLiteral(FURROW_SOURCE_DIR "/tests/data/narrow_parcel.geojson") << QString{}
+            << QStringLiteral("cultivator");
         return;
     }
     const QString file = test::largeData(QStringLiteral("fields/all_fields.geojson"));
