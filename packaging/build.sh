@@ -1,11 +1,21 @@
-# Sourced by run and test, after environment.sh. build TARGET...: configures and builds the release preset,
-# quietly unless something fails.
+# Sourced by run, shell and test, after environment.sh. build TARGET...: configures and builds the release
+# preset, quietly unless something fails.
 # shellcheck disable=SC2016,SC2154  # a script of its own; environment.sh says where the project is
 
 # A build folder that was made elsewhere (moved, or by another system's CMake) is of no use here.
 configured_here() {
     [ -f "$project/build/release/build.ninja" ] &&
         grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$project/build/release/CMakeCache.txt"
+}
+
+# program_not_built CMD: its name, where CMD is Furrow's window or command line and is not there.
+program_not_built() {
+    local path
+    path=$(realpath -m -- "$1")
+    case "$path" in
+        "$project/build/release/bin/furrow" | "$project/build/release/bin/furrow-cli")
+            [ -e "$path" ] || basename "$path" ;;
+    esac
 }
 
 # progress LOG BEGIN: on a terminal, as long as this script runs: furrow: building ... 310 of 1289 steps, 95 s

@@ -27,13 +27,26 @@ make_root() {
     mkdir -p "$root"/{proc,dev,sys,tmp,etc,home,var,usr/bin}
     printf 'in memory only\n' >"$root/etc/passwd"
     : >"$root/etc/fstab"  # as any Debian has: umount asks it
-    for program in bash setpriv umount rm cat id touch stat; do install_program "$program"; done
+    for program in bash setpriv umount rm cat id touch stat mkdir chmod; do install_program "$program"; done
+    # Stands for the build: a program that says what it is given.
+    cat >"$root/usr/bin/cmake" <<'CMAKE'
+#!/usr/bin/bash
+set -e
+[ "$1" = --build ] || exit 0
+echo built >>build/count
+mkdir -p build/release/bin
+printf '#!/usr/bin/bash\necho "given $*"\n' >"build/release/bin/$5"
+chmod +x "build/release/bin/$5"
+CMAKE
+    chmod +x "$root/usr/bin/cmake"
 }
 
 make_project() {
     mkdir -p "$project/tests" "$home/kept"
     cp -r "$source/packaging" "$project/"
     cp -r "$source/tests/validators" "$project/tests/"
+    printf '#!/bin/sh\n' >"$project/packaging/setup"
+    mkdir "$project/build"
     printf 'of the project\n' >"$project/file"
     printf 'of the home folder\n' >"$home/file"
     # Stands for sudo where signals are tried: it only runs what it is given.
@@ -42,7 +55,7 @@ make_project() {
     chmod +x "$home/bin/sudo"
     chmod -R a+rX "$work"
     chmod 500 "$home/kept"
-    [ "$(id -u)" != 0 ] || chown -R 65534:65534 "$home"
+    [ "$(id -u)" != 0 ] || chown -R 65534:65534 "$home" "$project/build"
 }
 
 # What runs in it is the caller's: nobody's, where this test is root's.
@@ -100,6 +113,10 @@ in_project enter bash -c 'exit 37' || status=$?
 expect passesStatusOn "$status" 37
 expect passesInputOn "$(printf 'a\nb' | in_project enter cat)" $'a\nb'
 signals_below_sudo
+for row in buildsWhatIsMissing buildsItOnce; do
+    seen=$(in_project packaging/shell build/release/bin/furrow-cli plan 'a field' 2>/dev/null || true)
+    expect "$row" "$seen, $(cat "$project/build/count")" 'given plan a field, built'
+done
 if [ "$(id -u)" = 0 ]; then
     other=()
     expect rootEnters "$(in_project enter id -u)" 0
