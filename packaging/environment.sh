@@ -150,6 +150,8 @@ enter() {
     export CCACHE_DIR=${CCACHE_DIR:-$cache/ccache}
     # Clones in other folders share what was compiled.
     export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$project} CCACHE_NOHASHDIR=1
+    # What is compiled for the first time is not read twice: the compiler itself tells what it included.
+    export CCACHE_DEPEND=1
     # Without these nothing that uses a precompiled header is shared.
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
     FURROW_NODE_MODULES=$(validators)/node_modules
