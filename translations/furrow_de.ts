@@ -7539,10 +7539,6 @@
         <translation>Der Umriss hat %1 Stufen von etwa %2 %3, wie die Pixel eines Bildes.</translation>
     </message>
     <message>
-        <source>Made straight, it would cross itself. Move or delete points there.</source>
-        <translation>Begradigt würde er sich selbst kreuzen. Verschieben oder löschen Sie dort Punkte.</translation>
-    </message>
-    <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
         <translation>Keine Maschine fährt sie nach. Gerade Kanten führen durch die Mitte der Stufen.</translation>
     </message>
@@ -8762,6 +8758,10 @@
     <message>
         <source>Make steps straight</source>
         <translation>Stufen begradigen</translation>
+    </message>
+    <message>
+        <source>Made straight, it would be refused: %1; %2.</source>
+        <translation>Begradigt würde er abgelehnt: %1; %2.</translation>
     </message>
     <message>
         <source>Move</source>

@@ -7539,10 +7539,6 @@
         <translation>El contorno tiene %1 escalones de unos %2 %3, como los píxeles de una imagen.</translation>
     </message>
     <message>
-        <source>Made straight, it would cross itself. Move or delete points there.</source>
-        <translation>Enderezado, se cruzaría a sí mismo. Mueva o borre puntos allí.</translation>
-    </message>
-    <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
         <translation>Ninguna máquina los sigue. Los bordes rectos pasan por la mitad de los escalones.</translation>
     </message>
@@ -8762,6 +8758,10 @@
     <message>
         <source>Make steps straight</source>
         <translation>Enderezar escalones</translation>
+    </message>
+    <message>
+        <source>Made straight, it would be refused: %1; %2.</source>
+        <translation>Enderezado, se rechazaría: %1; %2.</translation>
     </message>
     <message>
         <source>Move</source>

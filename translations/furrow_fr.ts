@@ -7539,10 +7539,6 @@
         <translation>Le contour a %1 marches d’environ %2 %3, comme les pixels d’une image.</translation>
     </message>
     <message>
-        <source>Made straight, it would cross itself. Move or delete points there.</source>
-        <translation>Redressé, il se croiserait. Déplacez ou supprimez des points à cet endroit.</translation>
-    </message>
-    <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
         <translation>Aucune machine ne les suit. Des bords droits passent au milieu des marches.</translation>
     </message>
@@ -8762,6 +8758,10 @@
     <message>
         <source>Make steps straight</source>
         <translation>Redresser les marches</translation>
+    </message>
+    <message>
+        <source>Made straight, it would be refused: %1; %2.</source>
+        <translation>Redressé, il serait refusé : %1; %2.</translation>
     </message>
     <message>
         <source>Move</source>

@@ -7539,10 +7539,6 @@
         <translation>De omtrek heeft %1 trapjes van ongeveer %2 %3, zoals de pixels van een beeld.</translation>
     </message>
     <message>
-        <source>Made straight, it would cross itself. Move or delete points there.</source>
-        <translation>Recht gemaakt zou hij zichzelf kruisen. Verplaats of verwijder daar punten.</translation>
-    </message>
-    <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
         <translation>Geen machine volgt ze. Rechte randen lopen door het midden van de trapjes.</translation>
     </message>
@@ -8762,6 +8758,10 @@
     <message>
         <source>Make steps straight</source>
         <translation>Trapjes recht maken</translation>
+    </message>
+    <message>
+        <source>Made straight, it would be refused: %1; %2.</source>
+        <translation>Recht gemaakt zou hij worden geweigerd: %1; %2.</translation>
     </message>
     <message>
         <source>Move</source>

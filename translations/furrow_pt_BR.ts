@@ -7539,10 +7539,6 @@
         <translation>O contorno tem %1 degraus de cerca de %2 %3, como os pixels de uma imagem.</translation>
     </message>
     <message>
-        <source>Made straight, it would cross itself. Move or delete points there.</source>
-        <translation>Endireitado, ele se cruzaria. Mova ou apague pontos ali.</translation>
-    </message>
-    <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
         <translation>Nenhuma máquina os segue. Bordas retas passam pelo meio dos degraus.</translation>
     </message>
@@ -8762,6 +8758,10 @@
     <message>
         <source>Make steps straight</source>
         <translation>Endireitar degraus</translation>
+    </message>
+    <message>
+        <source>Made straight, it would be refused: %1; %2.</source>
+        <translation>Endireitado, ele seria recusado: %1; %2.</translation>
     </message>
     <message>
         <source>Move</source>

@@ -77,6 +77,29 @@ Result<ImportedFields> fieldsFromTrack(const ConvertArguments& arguments, const 
     return imported;
 }
 
+/// The field with the steps of its outline made straight. Where that would be refused they stay; both is
+/// noted. Cancelled.
+Result<Field> straightened(Field field, std::vector<std::string>& notes, const JobContext& job) {
+    const auto steps = stepsOf(field.source());
+    if (!steps) {
+        return field;
+    }
+    FieldSource mended = field.source();
+    mended.repairs = field.repairs();
+    auto straight = withStraightSteps(mended, job).and_then([&](const FieldSource& source) {
+        return Field::create(source, job);
+    });
+    if (straight) {
+        notes.push_back(std::format("'{}': {} steps of about {:.1f} m were made straight", field.name(),
+                                    steps->count, steps->height.si()));
+    } else if (straight.error().code != ErrorCode::Cancelled) {
+        notes.push_back(std::format("'{}': its steps stay; made straight, it would be refused: {}",
+                                    field.name(), straight.error().line()));
+        return field;
+    }
+    return straight;
+}
+
 /// What is read, checked and repaired; what is refused is left out, as long as something remains, and named
 /// in `leftOut`.
 Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
@@ -117,14 +140,8 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
             continue;
         }
         auto field = Field::create(content.field, job);
-        const auto steps =
-            arguments.straightensSteps && field ? stepsOf(field->source()) : std::optional<OutlineSteps>{};
-        if (steps) {
-            FieldSource mended = field->source();
-            mended.repairs = field->repairs();
-            field = withStraightSteps(mended, job).and_then([&](const FieldSource& source) {
-                return Field::create(source, job);
-            });
+        if (field && arguments.straightensSteps) {
+            field = straightened(*std::move(field), notes, job);
         }
         if (!field && field.error().code == ErrorCode::Cancelled) {
             return std::unexpected(field.error());
@@ -133,10 +150,6 @@ Result<std::vector<FieldContent>> fieldsFrom(const ConvertArguments& arguments,
             leftOut.push_back(std::format("'{}' is left out: {}", content.field.name, field.error().line()));
             refused = refused.value_or(field.error());
             continue;
-        }
-        if (steps) {
-            notes.push_back(std::format("'{}': {} steps of about {:.1f} m were made straight",
-                                        content.field.name, steps->count, steps->height.si()));
         }
         for (const Note& repair : field->repairs()) {
             tell({std::format("'{}': {}", content.field.name, repair.text.text()), repair.where, {}});

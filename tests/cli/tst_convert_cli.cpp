@@ -65,6 +65,24 @@ private slots:
             QVERIFY2(points >= 5 && points <= 17, qPrintable(QString::number(points)));
         }
     }
+    // The shaft lies in the half of a step that a straight outline leaves out.
+    void stepsStayWhereStraightOnesAreRefused() {
+        const QTemporaryDir folder;
+        const QString out = folder.filePath("straight.geojson");
+        const Answer answer =
+            furrowCli({"convert", QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/shaft.geojson"), out,
+                       "--straighten-steps", "--json"});
+        QVERIFY2(answer.status == 0, answer.all().constData());
+        QVERIFY2(answer.json()["notes"].toArray()[0].toString().contains(
+                     "its steps stay; made straight, it would be refused: shaft.geojson, the boundary: a "
+                     "hole lies outside the boundary"),
+                 answer.all().constData());
+        QFile written{out};
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const QJsonValue outline =
+            QJsonDocument::fromJson(written.readAll())["features"][0]["geometry"]["coordinates"][0];
+        QVERIFY(outline.toArray().size() > 200);
+    }
 
     void convertsByName_data() {
         QTest::addColumn<QString>("out");

@@ -9,18 +9,17 @@ NoticeCard {
     required property FieldEditor editor
     /// Fields in the project; with several, all can be made straight at once.
     property int fields: 1
-    /// Whether nothing else is said in the same place.
-    property bool hasPlace: true
     /// Of the fields for which it was closed.
     property list<string> closed: []
-    /// Of the field whose outline would cross itself.
+    /// Of the field whose outline would be refused, and why.
     property string failedId: ""
+    property string refusal: ""
 
     objectName: "outlineSteps"
-    visible: hasPlace && editor.outlineSteps > 0 && (failed || !closed.includes(editor.fieldId))
+    visible: !editor.drawing && editor.outlineSteps > 0 && (failed || !closed.includes(editor.fieldId))
     failed: failedId === editor.fieldId
     text: qsTr("The outline has %1 steps of about %2 %3, like the pixels of an image.").arg(editor.outlineSteps).arg(Display.quantities.text(editor.stepHeightM, QuantityText.Length, 1)).arg(Display.quantities.unit(QuantityText.Length))
-    remedy: failed ? qsTr("Made straight, it would cross itself. Move or delete points there.") : qsTr("No machine follows them. Straight edges lead through the middles of the steps.")
+    remedy: failed ? root.refusal : qsTr("No machine follows them. Straight edges lead through the middles of the steps.")
 
     PushButton {
         objectName: "outlineSteps.straighten"
@@ -45,5 +44,6 @@ NoticeCard {
     function straighten(all: bool): void {
         root.editor.straightenSteps(all);
         root.failedId = root.editor.outlineSteps > 0 ? root.editor.fieldId : "";
+        root.refusal = root.editor.stepsRefusal();
     }
 }

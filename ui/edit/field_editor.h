@@ -166,9 +166,11 @@ public:
     void setPassable(bool passable);
     void setGateWidth(Length width);
     void setName(const QString& name);
-    /// Makes the steps of the outline straight, of the current field or of all. An outline that would cross
-    /// itself then stays.
+    /// Makes the steps of the outline straight, of the current field or of all. An outline that would be
+    /// refused then stays.
     Q_INVOKABLE void straightenSteps(bool all);
+    /// Why the outline of the current field would be refused with straight steps. Empty where it would not.
+    Q_INVOKABLE QString stepsRefusal() const;
     /// Lets the swaths follow the selected edge.
     Q_INVOKABLE void guideAlongEdge();
 

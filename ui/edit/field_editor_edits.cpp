@@ -1,8 +1,10 @@
 #include "planner/editing/outline_edits.h"
+#include "planner/field/outline_steps.h"
 #include "planner/project/project_edits.h"
 #include "planner/units/angle.h"
 #include "ui/edit/field_editor.h"
 #include "ui/map/map_frame.h"
+#include "ui/text/message_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -260,6 +262,15 @@ void FieldEditor::straightenSteps(bool all) {
         std::iota(fields.begin(), fields.end(), std::size_t{0});
     }
     change(QT_TR_NOOP("Make steps straight"), withStraightSteps(project(), fields));
+}
+
+QString FieldEditor::stepsRefusal() const {
+    const ProjectField* const field = project().field();
+    const auto straight =
+        field != nullptr ? withStraightSteps(*field->source) : Result<FieldSource>{FieldSource{}};
+    return straight ? QString{}
+                    : tr("Made straight, it would be refused: %1; %2.")
+                          .arg(furrow::shown(straight.error().what), furrow::shown(straight.error().remedy));
 }
 
 void FieldEditor::nudge(double eastM, double northM) {

@@ -9,7 +9,6 @@ NoticeCard {
 
     objectName: "imageryNotice"
     visible: imagery.message.length > 0
-    width: 420
     failed: true
     text: imagery.message
     remedy: imagery.remedy

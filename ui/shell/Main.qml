@@ -15,7 +15,6 @@ import Furrow.Plan
 import Furrow.Project
 import Furrow.Report
 import Furrow.Review
-import Furrow.Trouble
 
 /// The window: top bar, steps, map, and what stands beside it.
 ApplicationWindow {
@@ -139,7 +138,7 @@ ApplicationWindow {
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
         onImageryRequested: imageryDialogs.addFiles()
-        onStraightenStepsRequested: stepsNotice.straighten(false)
+        onStraightenStepsRequested: notices.straightenSteps()
         onTileFolderRequested: imageryDialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
@@ -359,36 +358,16 @@ ApplicationWindow {
             files: root.session.files
             onSaveAsRequested: dialogs.saveAs()
         }
-        FarImageryNotice {
-            id: farImagery
+        MapNotices {
+            id: notices
 
             z: 1
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
-            onGoRequested: page.fitArea(area, true)
-        }
-        StepsNotice {
-            id: stepsNotice
-
-            z: 1
-            anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
+            anchors { left: parent.left; bottom: sketchHint.visible ? sketchHint.top : parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: sketchHint.visible ? 8 : 68 }
             // Beside the tour.
             width: Math.min(400, parent.width - anchors.leftMargin - 16 - (tour.takenWidth > 0 ? tour.takenWidth + 16 : 0))
-            editor: page.editor
-            fields: root.session.farm.fields.length
-            hasPlace: !farImagery.visible && !crashNotice.visible && !page.editor.drawing
-        }
-        CrashNotice {
-            id: crashNotice
-
-            z: 1
-            anchors { left: parent.left; bottom: parent.bottom; leftMargin: page.toolBar.x + page.toolBar.width + 16; bottomMargin: 68 }
-            report: root.session.trouble
+            session: root.session
+            page: page
             onReportRequested: windowDialogs.trouble.open()
-        }
-        ImageryNotice {
-            z: 1
-            anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
-            imagery: root.session.imagery
         }
         ProblemCard {
             anchors { right: parent.right; top: parent.top; rightMargin: 16; topMargin: 62 }
@@ -439,6 +418,8 @@ ApplicationWindow {
             onFolderRequested: imageryDialogs.addTileFolder()
         }
         SketchHint {
+            id: sketchHint
+
             anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: page.clearOfScale(width) }
             visible: page.editor.drawing
             editor: page.editor
@@ -601,16 +582,6 @@ ApplicationWindow {
 
         function onSegmentClicked(index: int): void {
             root.session.planning.order.point(index);
-        }
-    }
-    Connections {
-        target: root.session.imagery
-
-        function onAdded(area: geoRectangle): void {
-            if (root.session.farm.hasField)
-                farImagery.look(area, page.drawing.bounds);
-            else
-                page.fitArea(area, false);
         }
     }
 

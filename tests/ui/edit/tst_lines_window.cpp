@@ -98,6 +98,22 @@ private slots:
             window_->findChild<QObject*>(QStringLiteral("command.straightenSteps")), "trigger"));
         QVERIFY(source().parts.front().outer.size() < 17);
     }
+    // The shaft lies in the half of a step that a straight outline leaves out.
+    void stepsThatStayAreTold() {
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/shaft.geojson"))});
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
+        const std::size_t before = steps();
+        click(QStringLiteral("outlineSteps.straighten"));
+        QCOMPARE(item(QStringLiteral("outlineSteps"))->property("remedy").toString(),
+                 QStringLiteral("Made straight, it would be refused: a hole lies outside the boundary; move "
+                                "or delete it."));
+        QVERIFY(shows(QStringLiteral("outlineSteps")));
+        QCOMPARE(steps(), before);
+        picture(QStringLiteral("outline_steps_refused"));
+        click(QStringLiteral("outlineSteps.close"));
+        QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
+    }
     void stepsOfAllFieldsAreMadeStraight() {
         session_->opener()->openUrls(
             {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/farm.geojson"))});

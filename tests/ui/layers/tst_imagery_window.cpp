@@ -247,6 +247,34 @@ private slots:
         click(QStringLiteral("imageryNotice.close"));
         QTRY_VERIFY(!item(QStringLiteral("imageryNotice"))->isVisible());
     }
+    void noCardCoversAnother() {
+        window_->resize(1000, 700);
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/one.geojson"))});
+        QTRY_VERIFY(item(QStringLiteral("outlineSteps"))->isVisible());
+        const QTemporaryDir folder;
+        addMeadow(folder);
+        QFile broken{folder.filePath(QStringLiteral("broken.mbtiles"))};
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.close();
+        session_->imagery()->addUrls({QUrl::fromLocalFile(broken.fileName())});
+        const QStringList cards{QStringLiteral("imageryNotice"), QStringLiteral("farImagery"),
+                                QStringLiteral("outlineSteps")};
+        for (const QString& card : cards) {
+            QTRY_VERIFY(item(card)->isVisible());
+        }
+        picture(QStringLiteral("cards"));
+        const auto place = [&](const QString& card) {
+            return item(card)->mapRectToScene(QRectF{0.0, 0.0, item(card)->width(), item(card)->height()});
+        };
+        const QRectF mapPlace = map()->mapRectToScene(QRectF{0.0, 0.0, map()->width(), map()->height()});
+        for (const QString& card : cards) {
+            QTRY_VERIFY(mapPlace.contains(place(card)));
+            QVERIFY(std::ranges::none_of(cards, [&](const QString& other) {
+                return other != card && place(card).intersects(place(other));
+            }));
+        }
+    }
     void theProjectKeepsIt() {
         const QTemporaryDir folder;
         addMeadow(folder);
