@@ -7,6 +7,9 @@
 
 using namespace furrow;
 
+// A search plans some hundred times.
+constexpr int kSearchMs = 3 * kPatienceMs;
+
 /// The search for the best plan in the whole window, with real mouse and keys.
 class TestBestWindow : public test::WindowTest {
     Q_OBJECT
@@ -31,7 +34,7 @@ private slots:
         picture(QStringLiteral("best-choices"));
         QTRY_VERIFY(item("best.start")->hasActiveFocus());
         QTest::keyClick(window_, Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kSearchMs);
         QVERIFY(search().table()->rowCount() > 0);
         QVERIFY(search().alternatives() > 10);
         QVERIFY(search().isBetter());
@@ -66,7 +69,7 @@ private slots:
         click("best.start");
         QTRY_VERIFY_WITH_TIMEOUT(search().isBetter(), kPatienceMs);
         picture(QStringLiteral("best-search-dark"));
-        QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kSearchMs);
         QTRY_VERIFY(item("best.take")->hasActiveFocus());
         waitForRest(*item("best.take"));
         // What has the keys is in view, however long the table is.
@@ -92,7 +95,7 @@ private slots:
         }
         click("best.choice.1");
         click("best.start");
-        QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kSearchMs);
         for (int row = 0; row < search().table()->rowCount(); ++row) {
             const QString choice = search().table()->index(row).data(ChoiceTableModel::ChoiceRole).toString();
             QVERIFY2(choice != QStringLiteral("Headland") && choice != QStringLiteral("Heading"),
