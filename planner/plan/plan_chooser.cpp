@@ -34,9 +34,12 @@ constexpr std::size_t kFewSwaths = 40;
 // A plan in another order, or along another heading, that takes this many times as long as the best one may
 // still become the best with corners and an order of its own. Those change more for a heading, and where the
 // headland takes nearly all of the time.
-constexpr double kNearInOrder = 1.02;
-constexpr double kNearInHeading = 1.06;
-constexpr double kNearInHeadland = 1.06;
+struct Near {
+    double inOrder = 1.02;
+    double inHeading = 1.06;
+};
+constexpr Near kNearUsually;
+constexpr Near kNearWithHeadland{.inOrder = 1.15, .inHeading = 1.15};
 constexpr std::size_t kMostlyHeadland = 8;  // swaths
 // Share of the progress of a plan in another order, or along another heading, before its own corners and
 // orders.
@@ -93,8 +96,8 @@ std::optional<BestSoFar> with(const BestSoFar& best, std::optional<PlannedStages
     });
 }
 
-double nearInOrder(const PlannedStages& plan) {
-    return plan.ordered->route.steps.size() <= kMostlyHeadland ? kNearInHeadland : kNearInOrder;
+const Near& nearOf(const PlannedStages& plan) {
+    return plan.ordered->route.steps.size() <= kMostlyHeadland ? kNearWithHeadland : kNearUsually;
 }
 
 /// Without a reverse gear the third kind is the second one.
@@ -232,7 +235,7 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     const auto withCorner = [&](std::size_t i, const JobContext& piece) -> Result<std::optional<BestSoFar>> {
         PlanRequest request = best.plan.request;
         request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
-        auto plan = isFirst ? nearPlan(best, request, nearInOrder(best.plan), nullptr, piece)
+        auto plan = isFirst ? nearPlan(best, request, nearOf(best.plan).inOrder, nullptr, piece)
                             : nearPlan(best, request, 1.0, &meanwhile, piece);
         return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
             isNear[i] = made ? 1 : 0;
@@ -305,7 +308,7 @@ Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, std
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
-    auto plan = nearPlan(best, request, nearInOrder(best.plan), nullptr, job.part(0.0, kItself));
+    auto plan = nearPlan(best, request, nearOf(best.plan).inOrder, nullptr, job.part(0.0, kItself));
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
     }
@@ -324,12 +327,12 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     if (isByTime) {
         request.settings.set(kHeadlandCorner, corner).value();
     }
-    auto plan = nearPlan(best, request, kNearInHeading, nullptr, job.part(0.0, kItself));
+    auto plan = nearPlan(best, request, nearOf(best.plan).inHeading, nullptr, job.part(0.0, kItself));
     if (plan && !*plan && isByTime && plannedCorner(best.plan.request.settings) != kRoundedCorner) {
         // Corners that are driven into may block with this change.
         request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
         expect(1);
-        plan = nearPlan(best, request, kNearInHeading, nullptr, job.withoutProgress());
+        plan = nearPlan(best, request, nearOf(best.plan).inHeading, nullptr, job.withoutProgress());
     }
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });

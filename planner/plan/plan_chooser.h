@@ -69,7 +69,8 @@ public:
     Result<BestSoFar> improved(const PlanRequest& request, const JobContext& job);
 
     /// The plan of another request with the headings as it asks, and its own best order and corners. Empty if
-    /// it blocks more, or takes more than 6 % longer than the best plan before. Cancelled.
+    /// it blocks more, or takes more than 6 % longer than the best plan before (15 % with up to eight
+    /// swaths). Cancelled.
     Result<std::optional<BestSoFar>> changed(const BestSoFar& best, const PlanRequest& asked,
                                              const JobContext& job);
 

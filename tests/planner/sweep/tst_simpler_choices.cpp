@@ -151,10 +151,12 @@ void TestSimplerChoices::areNotQuicker_data() {
                     << QString{} << machine;
             }
         }
-        // Three swaths: the order that leads best into corners that are driven is not the quickest without.
-        QTest::newRow("narrow parcel, cultivator")
-            << QStringLiteral(FURROW_SOURCE_DIR "/tests/data/narrow_parcel.geojson") << QString{}
-            << QStringLiteral("cultivator");
+        // Three swaths: the order in which short passes fit in best is not the quickest without them.
+        for (const char* parcel : {"long", "broad"}) {
+            QTest::addRow("%s narrow parcel cultivator", parcel)
+                << QStringLiteral(FURROW_SOURCE_DIR "/tests/data/narrow_parcels.geojson")
+                << QString::fromUtf8(parcel) << QStringLiteral("cultivator");
+        }
         return;
     }
     const QString file = test::largeData(QStringLiteral("fields/all_fields.geojson"));
