@@ -150,7 +150,8 @@ void FieldEditor::finishTool(GeoRing points) {
     const Tool tool = tool_;
     const ProjectField* field = project().field();
     if (tool == Tool::Field) {
-        points = turnedRing(std::move(points), *LocalFrame::centredOn(points.front()), true);
+        const auto frame = LocalFrame::centredOn(points.front());
+        points = turnedRing(std::move(points), *frame, true);
         QList<QGeoCoordinate> places;
         std::ranges::transform(points, std::back_inserter(places),
                                [](GeoPoint point) { return coordinate(point); });
