@@ -58,7 +58,6 @@ QtObject {
     signal quitRequested()
     signal panelRequested()
     signal stepsRequested()
-    signal straightenStepsRequested()
     signal imageryRequested()
     signal tileFolderRequested()
 
@@ -294,7 +293,7 @@ QtObject {
             text: qsTr("Make the outline's steps straight")
             keywords: qsTr("pixels image stairs smooth simplify")
             enabled: root.page.editor.outlineSteps > 0
-            onTriggered: root.straightenStepsRequested()
+            onTriggered: root.page.editor.straightenSteps(false)
         },
         Command {
             objectName: "command.renameField"

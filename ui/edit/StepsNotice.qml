@@ -11,39 +11,33 @@ NoticeCard {
     property int fields: 1
     /// Of the fields for which it was closed.
     property list<string> closed: []
-    /// Of the field whose outline would be refused, and why.
-    property string failedId: ""
-    property string refusal: ""
 
     objectName: "outlineSteps"
-    visible: !editor.drawing && editor.outlineSteps > 0 && (failed || !closed.includes(editor.fieldId))
-    failed: failedId === editor.fieldId
+    visible: !editor.drawing && editor.outlineSteps > 0 && !closed.includes(editor.fieldId)
+    failed: editor.stepsRefusal.length > 0
     text: qsTr("The outline has %1 steps of about %2 %3, like the pixels of an image.").arg(editor.outlineSteps).arg(Display.quantities.text(editor.stepHeightM, QuantityText.Length, 1)).arg(Display.quantities.unit(QuantityText.Length))
-    remedy: failed ? root.refusal : qsTr("No machine follows them. Straight edges lead through the middles of the steps.")
+    remedy: failed ? editor.stepsRefusal : qsTr("No machine follows them. Straight edges lead through the middles of the steps.")
 
     PushButton {
         objectName: "outlineSteps.straighten"
         text: qsTr("Make them straight")
-        onClicked: root.straighten(false)
+        onClicked: root.editor.straightenSteps(false)
     }
     PushButton {
         objectName: "outlineSteps.all"
         visible: root.fields > 1
         text: qsTr("In all fields")
-        onClicked: root.straighten(true)
+        onClicked: root.editor.straightenSteps(true)
     }
     PushButton {
         objectName: "outlineSteps.close"
         text: qsTr("Close")
-        onClicked: {
-            root.failedId = "";
-            root.closed = root.closed.concat([root.editor.fieldId]);
-        }
+        onClicked: root.closed = root.closed.concat([root.editor.fieldId])
     }
 
-    function straighten(all: bool): void {
-        root.editor.straightenSteps(all);
-        root.failedId = root.editor.outlineSteps > 0 ? root.editor.fieldId : "";
-        root.refusal = root.editor.stepsRefusal();
+    // The menu has the command, too: why it failed is told where the card was closed.
+    onFailedChanged: {
+        if (failed)
+            closed = closed.filter(id => id !== editor.fieldId);
     }
 }

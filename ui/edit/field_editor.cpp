@@ -78,6 +78,7 @@ void FieldEditor::findSteps() {
     }
     stepsOf_ = source;
     steps_ = source == nullptr ? std::nullopt : stepsOf(*source);
+    stepsError_.reset();
     emit stepsChanged();
 }
 

@@ -44,6 +44,7 @@ class FieldEditor : public QObject {
     /// Of the field's outline, where it was traced along the pixels of an image; none without steps.
     Q_PROPERTY(int outlineSteps READ outlineSteps NOTIFY stepsChanged FINAL)
     Q_PROPERTY(double stepHeightM READ stepHeightM NOTIFY stepsChanged FINAL)
+    Q_PROPERTY(QString stepsRefusal READ stepsRefusal NOTIFY stepsChanged FINAL)
     Q_PROPERTY(QString fieldId READ fieldId NOTIFY stepsChanged FINAL)
     Q_PROPERTY(int selectedFinding READ selectedFinding NOTIFY selectionChanged FINAL)
 
@@ -87,6 +88,8 @@ public:
     bool canDelete() const;
     int outlineSteps() const { return steps_ ? steps_->count : 0; }
     double stepHeightM() const { return steps_ ? steps_->height.si() : 0.0; }
+    /// Why the outline of the current field was refused with straight steps. Empty where it was not.
+    QString stepsRefusal() const;
     QString fieldId() const { return QString::fromStdString(fieldId_); }
     int selectedCell() const {
         return selection_.kind == Selection::Kind::Cell ? static_cast<int>(selection_.index) : -1;
@@ -169,8 +172,6 @@ public:
     /// Makes the steps of the outline straight, of the current field or of all. An outline that would be
     /// refused then stays.
     Q_INVOKABLE void straightenSteps(bool all);
-    /// Why the outline of the current field would be refused with straight steps. Empty where it would not.
-    Q_INVOKABLE QString stepsRefusal() const;
     /// Lets the swaths follow the selected edge.
     Q_INVOKABLE void guideAlongEdge();
 
@@ -225,6 +226,7 @@ private:
     std::optional<FieldShape> shape_;
     std::shared_ptr<const FieldSource> stepsOf_;  ///< whose steps are known
     std::optional<OutlineSteps> steps_;
+    std::optional<Error> stepsError_;
     GeoRing sketch_;
     std::optional<GeoPoint> cursor_;
     std::optional<ShapeHit> hovered_;

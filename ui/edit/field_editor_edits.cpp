@@ -262,16 +262,22 @@ void FieldEditor::straightenSteps(bool all) {
         fields.resize(project().fields.size());
         std::iota(fields.begin(), fields.end(), std::size_t{0});
     }
+    // Asked for again, a refusal is told again.
+    stepsError_.reset();
+    emit stepsChanged();
     change(QT_TR_NOOP("Make steps straight"), withStraightSteps(project(), fields));
+    if (steps_) {
+        if (const auto straight = withStraightSteps(*project().field()->source); !straight) {
+            stepsError_ = straight.error();
+            emit stepsChanged();
+        }
+    }
 }
 
 QString FieldEditor::stepsRefusal() const {
-    const ProjectField* const field = project().field();
-    const auto straight =
-        field != nullptr ? withStraightSteps(*field->source) : Result<FieldSource>{FieldSource{}};
-    return straight ? QString{}
-                    : tr("Made straight, it would be refused: %1; %2.")
-                          .arg(furrow::shown(straight.error().what), furrow::shown(straight.error().remedy));
+    return stepsError_ ? tr("Made straight, it would be refused: %1; %2.")
+                             .arg(furrow::shown(stepsError_->what), furrow::shown(stepsError_->remedy))
+                       : QString{};
 }
 
 void FieldEditor::nudge(double eastM, double northM) {

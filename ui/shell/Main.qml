@@ -138,7 +138,6 @@ ApplicationWindow {
         onNewRequested: dialogs.startNew()
         onOpenRequested: dialogs.open()
         onImageryRequested: imageryDialogs.addFiles()
-        onStraightenStepsRequested: notices.straightenSteps()
         onTileFolderRequested: imageryDialogs.addTileFolder()
         onSaveRequested: dialogs.save()
         onSaveAsRequested: dialogs.saveAs()
@@ -388,7 +387,10 @@ ApplicationWindow {
             anchors.centerIn: parent
             // Beside the tour. Where there is no room for both, the tour's first task is the same.
             readonly property bool hasRoom: tour.takenWidth === 0 || parent.width >= width + tour.takenWidth + 16 + 76
-            anchors.horizontalCenterOffset: hasRoom ? Math.min(0, (parent.width - width) / 2 - tour.takenWidth - 16) : 0
+            // And beside the cards, where there is room.
+            readonly property real noticesEnd: notices.height > 0 ? notices.x + notices.width + 16 : 0
+            readonly property real besideNotices: noticesEnd + width <= parent.width ? Math.max(0, noticesEnd - (parent.width - width) / 2) : 0
+            anchors.horizontalCenterOffset: tour.takenWidth === 0 ? besideNotices : hasRoom ? Math.min(0, (parent.width - width) / 2 - tour.takenWidth - 16) : 0
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
             visible: hasRoom && !away && (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0

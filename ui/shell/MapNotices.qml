@@ -30,8 +30,6 @@ Column {
         onGoRequested: root.page.fitArea(area, true)
     }
     StepsNotice {
-        id: stepsNotice
-
         width: root.width
         editor: root.page.editor
         fields: root.session.farm.fields.length
@@ -45,9 +43,5 @@ Column {
             else
                 root.page.fitArea(area, false);
         }
-    }
-
-    function straightenSteps(): void {
-        stepsNotice.straighten(false);
     }
 }

@@ -113,6 +113,10 @@ private slots:
         picture(QStringLiteral("outline_steps_refused"));
         click(QStringLiteral("outlineSteps.close"));
         QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
+        // By the menu it fails again, and says so again.
+        QVERIFY(QMetaObject::invokeMethod(
+            window_->findChild<QObject*>(QStringLiteral("command.straightenSteps")), "trigger"));
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
     }
     void stepsOfAllFieldsAreMadeStraight() {
         session_->opener()->openUrls(

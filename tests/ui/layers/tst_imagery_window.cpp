@@ -248,6 +248,8 @@ private slots:
         QTRY_VERIFY(!item(QStringLiteral("imageryNotice"))->isVisible());
     }
     void noCardCoversAnother() {
+        QObject* const colours = engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme");
+        colours->setProperty("forced", 2);
         window_->resize(1000, 700);
         session_->opener()->openUrls(
             {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/one.geojson"))});
@@ -263,17 +265,30 @@ private slots:
         for (const QString& card : cards) {
             QTRY_VERIFY(item(card)->isVisible());
         }
-        picture(QStringLiteral("cards"));
-        const auto place = [&](const QString& card) {
-            return item(card)->mapRectToScene(QRectF{0.0, 0.0, item(card)->width(), item(card)->height()});
+        const auto place = [&](const QString& name) {
+            return item(name)->mapRectToScene(QRectF{0.0, 0.0, item(name)->width(), item(name)->height()});
         };
-        const QRectF mapPlace = map()->mapRectToScene(QRectF{0.0, 0.0, map()->width(), map()->height()});
+        const auto liesFree = [&](const QString& card) {
+            const bool isOnMap = map()
+                                     ->mapRectToScene(QRectF{0.0, 0.0, map()->width(), map()->height()})
+                                     .contains(place(card));
+            return isOnMap && std::ranges::none_of(cards, [&](const QString& other) {
+                       return other != card && item(other)->isVisible() &&
+                              place(card).intersects(place(other));
+                   });
+        };
         for (const QString& card : cards) {
-            QTRY_VERIFY(mapPlace.contains(place(card)));
-            QVERIFY(std::ranges::none_of(cards, [&](const QString& other) {
-                return other != card && place(card).intersects(place(other));
-            }));
+            QTRY_VERIFY(liesFree(card));
         }
+        picture(QStringLiteral("cards-dark"));
+        // Nor what to do while something is drawn.
+        QTest::keyClick(window_, Qt::Key_B);
+        QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
+        QTRY_VERIFY(!item(cards.back())->isVisible());
+        QTRY_VERIFY(liesFree(cards.front()) &&
+                    !place(cards[1]).intersects(place(QStringLiteral("drawingHint"))));
+        picture(QStringLiteral("cards-drawing-dark"));
+        colours->setProperty("forced", 0);
     }
     void theProjectKeepsIt() {
         const QTemporaryDir folder;

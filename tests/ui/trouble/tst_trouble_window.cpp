@@ -27,6 +27,11 @@ private slots:
         write(folder.filePath(QStringLiteral("crashes/crash-7.txt")), "SIGSEGV\n{}\nframes\n");
         session_->keepIn(folder.path());
         QTRY_VERIFY(shows(QStringLiteral("crashNotice")));
+        const auto place = [&](const char* name) {
+            const QQuickItem* const of = item(QString::fromUtf8(name));
+            return of->mapRectToScene(QRectF{0.0, 0.0, of->width(), of->height()});
+        };
+        QTRY_VERIFY(!place("crashNotice").intersects(place("emptyState")));
         picture(QStringLiteral("crash_told"));
         click(QStringLiteral("crashNotice.report"));
         QTRY_VERIFY(shows(QStringLiteral("trouble.save")));
