@@ -29,6 +29,7 @@ inline bool writeTiff(const QString& path, const RasterShape& shape, int bands,
                       const std::function<double(int, int, int)>& value) {
     GDALAllRegister();
     std::vector<char*> options;
+    options.reserve(shape.options.size() + 1);
     for (const char* option : shape.options) {
         options.push_back(const_cast<char*>(option));
     }

@@ -123,8 +123,9 @@ class TestImageryWindow : public WindowTest {
             constexpr int kAcross = 12;
             for (int i = 0; i < kAcross * kAcross; ++i) {
                 const QGeoCoordinate corner = area.bottomLeft();
+                const int row = i / kAcross;
                 QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
-                camera()->centreOn({corner.latitude() + area.height() * (i / kAcross + 0.5) / kAcross,
+                camera()->centreOn({corner.latitude() + area.height() * (row + 0.5) / kAcross,
                                     corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross},
                                    zoom, false);
                 QVERIFY(frame.wait());
