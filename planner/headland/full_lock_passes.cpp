@@ -1,6 +1,5 @@
 #include "planner/headland/full_lock_passes.h"
 
-#include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/polygon_memo.h"
 #include "planner/geometry/segment.h"
@@ -14,6 +13,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -63,11 +63,10 @@ constexpr std::size_t kMostPieces = 100;
 std::vector<Point> placesIn(const Polygon& piece) {
     const Bounds box = bounds({piece});
     const double stepM = std::sqrt(area(piece).si() / kPlaces);
-    const BoundaryDistance edges{{piece}, metres(box.width() + box.height() + 1.0)};
     std::vector<Point> places;
     for (double y = box.min.y + 0.5 * stepM; y < box.max.y; y += stepM) {
         for (double x = box.min.x + 0.5 * stepM; x < box.max.x; x += stepM) {
-            if (edges.insideM({x, y}).value_or(-1.0) > 0.0) {
+            if (isInside(piece, {x, y})) {
                 places.push_back({x, y});
             }
         }
@@ -75,17 +74,68 @@ std::vector<Point> placesIn(const Polygon& piece) {
     return places;
 }
 
-void addSwept(const WorkingLine& from, const WorkingLine& to, MultiPolygon& swept) {
-    for (Ring ring : {Ring{from.first, to.first, to.second}, Ring{from.first, to.second, from.second}}) {
+/// What an implement sweeps between its working lines. While both of its ends go ahead, one polygon; the
+/// overlay of some hundred triangles would take longer than all else.
+class SweptLand {
+public:
+    explicit SweptLand(const WorkingLine& first) : run_{first} {}
+
+    void to(const WorkingLine& line) {
+        const WorkingLine& last = run_.back();
+        const bool isAhead = cross(line.first - last.first, line.second - last.first) > 0.0 &&
+                             cross(line.second - last.first, last.second - last.first) > 0.0;
+        if (!isAhead) {
+            endRun();
+            addTriangle({last.first, line.first, line.second});
+            addTriangle({last.first, line.second, last.second});
+            run_ = {line};
+            return;
+        }
+        run_.push_back(line);
+        if (turnsBy(run_.front(), line) > kMostOfRun) {
+            endRun();
+            run_ = {line};
+        }
+    }
+
+    MultiPolygon polygons() {
+        endRun();
+        return std::move(polygons_);
+    }
+
+private:
+    // A sharper run could meet itself.
+    static constexpr double kMostOfRun = 0.5;  // sine
+
+    static double turnsBy(const WorkingLine& from, const WorkingLine& to) {
+        const Point a = from.second - from.first;
+        const Point b = to.second - to.first;
+        return std::abs(cross(a, b)) / (norm(a) * norm(b));
+    }
+
+    void addTriangle(Ring ring) {
         const double twice = signedAreaM2(ring);
         if (twice < 0.0) {
             std::swap(ring[1], ring[2]);
         }
         if (twice != 0.0) {
-            swept.push_back({.outer = std::move(ring), .holes = {}});
+            polygons_.push_back({.outer = std::move(ring), .holes = {}});
         }
     }
-}
+
+    void endRun() {
+        if (run_.size() < 2) {
+            return;
+        }
+        Ring ring;
+        std::ranges::transform(run_, std::back_inserter(ring), &WorkingLine::first);
+        std::ranges::transform(run_ | std::views::reverse, std::back_inserter(ring), &WorkingLine::second);
+        polygons_.push_back({.outer = std::move(ring), .holes = {}});
+    }
+
+    std::vector<WorkingLine> run_;
+    MultiPolygon polygons_;
+};
 
 }  // namespace
 
@@ -205,7 +255,9 @@ struct FullLockPasses::Piece {
         std::optional<Candidate> candidate;
     };
     std::mutex mutex;
-    std::map<std::pair<std::size_t, double>, Fitted> fitted;  ///< by bend and lead; under the mutex
+    // Under the mutex.
+    std::map<std::pair<std::size_t, double>, Fitted> fitted;  ///< by bend and lead
+    std::vector<BentPass> chosen;
 };
 
 struct FullLockTrials::Known {
@@ -496,22 +548,31 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
         hopeless_.push_back(piece);
         return std::nullopt;
     }
-    return worked(std::move(best->line), job);
+    {
+        const std::scoped_lock lock{known->mutex};
+        const auto chosen = std::ranges::find(known->chosen, best->line, &BentPass::line);
+        if (chosen != known->chosen.end()) {
+            return *chosen;
+        }
+    }
+    std::optional<BentPass> pass = worked(std::move(best->line), job);
+    if (pass) {
+        const std::scoped_lock lock{known->mutex};
+        known->chosen.push_back(*pass);
+    }
+    return pass;
 }
 
 std::optional<BentPass> FullLockPasses::worked(Curve line, const JobContext& job) const {
-    MultiPolygon swept;
     RigState at = Rig::inLine(line.start);
-    WorkingLine last = workingLine(at, lowered_->machine(), trailer_);
+    SweptLand swept{workingLine(at, lowered_->machine(), trailer_)};
     for (const CurvePiece& part : line.pieces) {
         at = *lowered_->follow(at, part, metres(kSweptM), [&](const RigState& state) {
-            const WorkingLine now = workingLine(state, lowered_->machine(), trailer_);
-            addSwept(last, now, swept);
-            last = now;
+            swept.to(workingLine(state, lowered_->machine(), trailer_));
             return true;
         });
     }
-    auto worked = unionOf(swept, job);
+    auto worked = unionOf(swept.polygons(), job);
     return worked ? std::optional{BentPass{.line = std::move(line), .worked = std::move(*worked)}}
                   : std::nullopt;
 }
