@@ -12,6 +12,7 @@
 #include "planner/headland/swing_out.h"
 #include "planner/turns/rig.h"
 #include "planner/turns/steered_line.h"
+#include "planner/units/angle.h"
 
 #include <algorithm>
 #include <array>
@@ -122,7 +123,7 @@ std::vector<Excess> excessesAlong(const Curve& line, const Rig& rig, double apar
             goneM += distance(at.tractor.position, last);
             last = at.tractor.position;
             // In the middle of a straight nothing swings, so few samples are enough.
-            const bool inLine = std::abs((at.implement - at.tractor.heading).si()) < kInLineRad;
+            const bool inLine = std::abs(wrappedAngle(at.implement - at.tractor.heading).si()) < kInLineRad;
             const bool nearEnd = std::min(goneM, piece.length.si() - goneM) <= 2.0 * apartM;
             const bool swings = closely || !isStraight || nearEnd || !inLine || looked % 5 == 0;
             if (swings && looksAt(at.tractor.position)) {

@@ -304,6 +304,11 @@ private:
             if (known != reached_.end() && known->second <= next.timeS) {
                 return;
             }
+            // Not quicker than the way that was found, or no way on.
+            const double leftM = grid_.from(end.position, mostWayM_);
+            if (next.timeS + leftM / forwardMps_ >= bestS_) {
+                return;
+            }
             const auto state = rig_.driven(node.state, piece, metres(kContactM), room_);
             if (!state) {
                 return;

@@ -3,6 +3,7 @@
 #include "planner/geometry/curve_sampling.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/turns/footprint_check.h"
+#include "planner/units/angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,16 +101,27 @@ double Rig::roomM(const RigState& state) const {
     return crossed > 0.0 ? -crossed : room;
 }
 
+RigState Rig::stateAfter(const RigState& from, const RigState& last, const CurvePiece& piece,
+                         Length way) const {
+    const Pose pose = advanced(from.tractor, piece, way);
+    if (!trailer_) {
+        return inLine(pose);
+    }
+    if (stepsFor(piece)) {
+        return {pose, trailer_->headingAfter(last.implement, last.tractor, pose)};
+    }
+    const Length signedWay = piece.gear == Gear::Forward ? way : -way;
+    return {pose, trailer_->headingAfter(from.implement, from.tractor.heading, piece.curvature, signedWay)};
+}
+
 std::optional<RigState> Rig::follow(const RigState& from, const CurvePiece& piece, Length step,
                                     const std::function<bool(const RigState&)>& visit) const {
-    const Length longest = trailer_ ? std::min(step, trailer_->longestStep()) : step;
+    const Length longest = std::min(step, stepsFor(piece).value_or(step));
     const auto steps = std::max(1, static_cast<int>(std::ceil(piece.length / longest)));
-    const auto visited = trailer_ ? std::max(1, static_cast<int>(step / longest)) : 1;
+    const auto visited = std::max(1, static_cast<int>(step / longest));
     RigState at = from;
     for (int i = 1; i <= steps; ++i) {
-        const Pose pose = advanced(from.tractor, piece, piece.length * (static_cast<double>(i) / steps));
-        at.implement = trailer_ ? trailer_->headingAfter(at.implement, at.tractor, pose) : pose.heading;
-        at.tractor = pose;
+        at = stateAfter(from, at, piece, piece.length * (static_cast<double>(i) / steps));
         if ((i % visited == 0 || i == steps) && !visit(at)) {
             return std::nullopt;
         }
@@ -128,7 +140,8 @@ bool Rig::isClearAhead(const Part& part, const Pose& pose, double wayM, double t
 }
 
 bool Rig::isClearAhead(const RigState& state, double wayM, double touchingM) const {
-    const bool isInLine = !trailer_ || std::abs((state.implement - state.tractor.heading).si()) < kInLineRad;
+    const bool isInLine =
+        !trailer_ || std::abs(wrappedAngle(state.implement - state.tractor.heading).si()) < kInLineRad;
     return isInLine && std::ranges::all_of(parts_, [&](const Part& part) {
                return isClearAhead(part, poseOf(part, state), wayM, touchingM);
            });
@@ -168,26 +181,39 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& pi
         room = {};
         return RigState{advanced(from.tractor, piece, piece.length), from.implement};
     }
+    const auto roomIfInside = [&](const RigState& state) -> std::optional<FootprintRoom> {
+        const FootprintRoom here = roomAt(state);
+        // If its own corners lie along an edge and a corner of the field along its side, an edge may come
+        // in between.
+        const bool isOutside = here.least() < -touching.si() ||
+                               (here.least() < kLookAtCornersM && crossedM(state) > touching.si());
+        return isOutside ? std::nullopt : std::optional{here};
+    };
+    const std::optional<Length> longest = stepsFor(piece);
+    // Most ways that lead outside are outside at their end, too.
+    std::optional<FootprintRoom> atEnd;
+    if (!longest && free < lengthM) {
+        atEnd = roomIfInside(stateAfter(from, from, piece, piece.length));
+        if (!atEnd) {
+            return std::nullopt;
+        }
+    }
     double lookedM = 0.0;
     double surelyToM = free;
     for (double goneM = 0.0; goneM < lengthM;) {
         double stepM = std::min(std::max(free, kLookAtCornersM), lengthM - goneM);
-        if (trailer_) {
-            stepM = std::min(stepM, trailer_->longestStep().si());
+        if (longest) {
+            stepM = std::min(stepM, longest->si());
         }
         goneM = lengthM - goneM - stepM < kRoundingM ? lengthM : goneM + stepM;
-        const Pose pose = advanced(from.tractor, piece, metres(goneM));
-        at.implement = trailer_ ? trailer_->headingAfter(at.implement, at.tractor, pose) : pose.heading;
-        at.tractor = pose;
+        at = stateAfter(from, at, piece, metres(goneM));
         free -= stepM;
         if (free <= kRoundingM || (goneM == lengthM && goneM > surelyToM)) {
-            room = roomAt(at);
-            // If its own corners lie along an edge and a corner of the field along its side, an edge may come
-            // in between.
-            if (room.least() < -touching.si() ||
-                (room.least() < kLookAtCornersM && crossedM(at) > touching.si())) {
+            const auto here = atEnd && goneM == lengthM ? atEnd : roomIfInside(at);
+            if (!here) {
                 return std::nullopt;
             }
+            room = *here;
             free = freeWay();
             lookedM = goneM;
             surelyToM = goneM + room.least() / swings;
@@ -198,9 +224,25 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& pi
     return at;
 }
 
+bool Rig::isOutsideAtAnEnd(RigState state, const Curve& turn) const {
+    for (const CurvePiece& piece : turn.pieces) {
+        if (stepsFor(piece) || piece.onTheSpot != Angle{}) {
+            return false;
+        }
+        state = stateAfter(state, state, piece, piece.length);
+        if (roomAt(state).least() < -kContactM) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::optional<RigState> Rig::driven(const RigState& from, const Curve& turn, FootprintRoom room) const {
     // A turn on the spot begins with another heading than requested.
     RigState state = trailer_ ? RigState{turn.start, from.implement} : inLine(turn.start);
+    if (turn.pieces.size() > 1 && isOutsideAtAnEnd(state, turn)) {
+        return std::nullopt;
+    }
     for (const CurvePiece& piece : turn.pieces) {
         const auto next = drivenOn(state, piece, metres(kContactM), room);
         if (!next) {

@@ -86,6 +86,20 @@ private:
     Pose poseOf(const Part& part, const RigState& state) const {
         return part.isTrailed ? trailer_->poseOf(state.tractor, state.implement) : state.tractor;
     }
+    /// The longest steps in which a trailed implement is followed over a piece whose curvature changes. Empty
+    /// where its place follows from the whole way at once.
+    std::optional<Length> stepsFor(const CurvePiece& piece) const {
+        return trailer_ && piece.curvature != piece.endCurvature ? std::optional{trailer_->longestStep()}
+                                                                 : std::nullopt;
+    }
+    /// The state after a part of a piece.
+    /// @param from  at the begin of the piece
+    /// @param last  one step before, where there are steps
+    RigState stateAfter(const RigState& from, const RigState& last, const CurvePiece& piece,
+                        Length way) const;
+    /// Whether the end of a piece is outside: a quick look before the whole turn is followed. Looks no
+    /// farther than the first piece whose end takes steps.
+    bool isOutsideAtAnEnd(RigState state, const Curve& turn) const;
     FootprintRoom roomAround(const Part& part, const Pose& pose) const;
     /// Whether a part is known to stay inside if it goes straight on, or back if `wayM` is negative.
     bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;

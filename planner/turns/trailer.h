@@ -23,6 +23,10 @@ struct Trailer {
     /// The heading of the implement after a move of the tractor, with the hitch assumed to move straight.
     /// Within a millimetre of the track for steps of `longestStep`.
     Angle headingAfter(Angle heading, const Pose& from, const Pose& to) const;
+    /// The same after the tractor has driven a way with one curvature, however long. Exact.
+    /// @param from  heading of the tractor before
+    /// @param way   negative in reverse
+    Angle headingAfter(Angle heading, Angle from, Curvature curvature, Length way) const;
     Length longestStep() const;
 };
 
