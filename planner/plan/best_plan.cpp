@@ -7,6 +7,7 @@
 #include "planner/jobs/shared_progress.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan_chooser.h"
+#include "planner/plan/quicker_choice.h"
 #include "planner/plan/round_stage.h"
 #include "planner/plan/shown_value.h"
 #include "planner/plan/stopwatch.h"
@@ -241,8 +242,8 @@ bool isWorthIt(const PlannedStages& other, const PlannedStages& best) {
 /// Changes one choice after the other to its best alternative.
 class ChoiceSearch {
 public:
-    ChoiceSearch(PlanChooser& chooser, const BestPlanTask& task, const JobContext& job)
-        : chooser_{chooser}, task_{task}, job_{job} {
+    ChoiceSearch(StageRunner& runner, const BestPlanTask& task, const JobContext& job)
+        : runner_{runner}, chooser_{runner}, task_{task}, job_{job} {
         const bool keepsSwaths = hasOwnOrder(task.request.settings);
         for (const ChoiceRule& rule : rules()) {
             if (!std::ranges::contains(task.kept, rule.choice.id) && !(keepsSwaths && rule.concernsSwaths)) {
@@ -253,18 +254,20 @@ public:
 
     Result<BestSoFar> run();
 
+    bool hasTaken() const { return !taken_.empty(); }
     ChoiceTable table(const Settings& found) &&;
 
 private:
     Result<bool> change(BestSoFar& best, const ChoiceRule& rule, const JobContext& job);
     bool mayChange(const Changes& changes) const;
-    void tell(const BestSoFar& best) const {
+    void tell(const Settings& settings, const PlannedStages& plan) const {
         if (task_.onBetter) {
-            task_.onBetter(best.asked.settings, timeOf(best.plan));
+            task_.onBetter(settings, timeOf(plan));
         }
     }
 
-    PlanChooser& chooser_;
+    StageRunner& runner_;
+    PlanChooser chooser_;
     const BestPlanTask& task_;
     JobContext job_;
     std::vector<const ChoiceRule*> free_;
@@ -340,15 +343,17 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule, const
     if (best.headings.empty()) {
         best.headings = std::move(headings);
     }
-    tell(best);
+    tell(best.asked.settings, best.plan);
     return true;
 }
 
 Result<BestSoFar> ChoiceSearch::run() {
-    auto best = chooser_.improved(task_.request, job_.part(0.0, 0.1));
+    // With what the planner decides by itself: that is the plan to compare with.
+    auto best = quickestChoice(task_.request, runner_, job_.part(0.0, 0.1));
     if (!best) {
         return best;
     }
+    tell(task_.request.settings, best->plan);
     table_.asked = timeOf(best->plan);
     table_.askedProblems = best->plan.blockingCount();
     // The heading that the driven path decided for, whatever is changed from here on.
@@ -357,7 +362,6 @@ Result<BestSoFar> ChoiceSearch::run() {
         isHeadingFree && !(used.value(kAngle) == best->asked.settings.value(kAngle))) {
         best->asked = along(best->asked, *used.angle(kAngle));
     }
-    tell(*best);
     const std::size_t most = kMostRounds * free_.size();
     std::size_t unchanged = 0;
     for (std::size_t i = 0; i < most && unchanged < free_.size(); ++i) {
@@ -431,13 +435,14 @@ Result<std::shared_ptr<const Plan>> bestPlan(const BestPlanTask& task, const Job
     StageCache ownCache;
     StageCache& stageCache = cache != nullptr ? *cache : ownCache;
     StageRunner runner{stageCache};
-    PlanChooser chooser{runner};
-    ChoiceSearch search{chooser, task, job};
+    ChoiceSearch search{runner, task, job};
     const auto best = search.run();
     if (!best) {
         return std::unexpected(best.error());
     }
-    const auto plan = planOf(*best, job.part(0.9, 1.0), stageCache);
+    const JobContext last = job.part(0.9, 1.0);
+    const auto plan =
+        search.hasTaken() ? planOf(*best, last, stageCache) : makePlan(task.request, last, &stageCache);
     if (!plan) {
         return plan;
     }

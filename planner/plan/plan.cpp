@@ -86,8 +86,8 @@ std::shared_ptr<Plan> planOf(const PlanRequest& request, const PlannedStages& st
     return plan;
 }
 
-std::shared_ptr<Plan> planOf(const PlanRequest& request, const QuickestChoice& choice) {
-    std::shared_ptr<Plan> plan = planOf(request, choice.stages);
+std::shared_ptr<Plan> planOf(const PlanRequest& request, const BestSoFar& choice) {
+    std::shared_ptr<Plan> plan = planOf(request, choice.plan);
     plan->instead = choice.instead;
     plan->notes = choice.notes;
     plan->swaths.candidates = choice.headings;
@@ -158,7 +158,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         return std::unexpected(choice.error());
     }
     std::shared_ptr<Plan> plan = planOf(request, *choice);
-    const PlannedStages& stages = choice->stages;
+    const PlannedStages& stages = choice->plan;
     // The bound knows no trips to refill points.
     const bool isBounded = routeMethod(request.settings).traits.isByTime && plan->path.refillCount() == 0;
     if (!request.draft && isBounded && !plan->route.steps.empty()) {

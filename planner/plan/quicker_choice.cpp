@@ -116,8 +116,8 @@ Result<void> trySimpler(PlanChooser& chooser, BestSoFar& best, const SimplerChoi
 
 }  // namespace
 
-Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job,
-                                      ChoosingCourse course) {
+Result<BestSoFar> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job,
+                                 ChoosingCourse course) {
     const bool compares = !request.draft && !hasOwnOrder(request.settings);
     std::vector<const SimplerChoice*> simpler;
     for (const SimplerChoice& choice : kSimplerChoices) {
@@ -166,10 +166,7 @@ Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& r
                 [&] { return trySimpler(chooser, *best, *simpler[i], job.part(begun, begun + each)); });
         }
     }
-    return tried.transform([&] {
-        return QuickestChoice{std::move(best->plan), std::move(best->instead), std::move(best->notes),
-                              std::move(best->headings)};
-    });
+    return tried.transform([&] { return *std::move(best); });
 }
 
 }  // namespace furrow

@@ -6,14 +6,6 @@
 
 namespace furrow {
 
-/// The stages of the plan that was chosen.
-struct QuickestChoice {
-    PlannedStages stages;
-    std::vector<SettingChange> instead;      ///< see Plan::instead
-    std::vector<Note> notes;                 ///< why
-    std::vector<HeadingCandidate> headings;  ///< that the search compared
-};
-
 /// Plans the request and its alternatives, and takes the best plan. The plan with fewer blocking findings is
 /// better. Of equal ones the quicker is better: the time of the driven path, with the time to work separately
 /// what it leaves. Alternatives are:
@@ -28,9 +20,9 @@ struct QuickestChoice {
 ///   in an order by hand keeps its swaths.
 ///
 /// Plan::instead names each choice that was replaced. A note tells it, except for orders and corners, which
-/// nobody asked for. Cost: one plan for each alternative. Plans that cannot win are not audited. Errors:
-/// those of the request. Cancelled.
-Result<QuickestChoice> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job,
-                                      ChoosingCourse course = {});
+/// nobody asked for. BestSoFar::asked holds what was decided beside headings, orders and corners. Cost: one
+/// plan for each alternative. Plans that cannot win are not audited. Errors: those of the request. Cancelled.
+Result<BestSoFar> quickestChoice(const PlanRequest& request, StageRunner& runner, const JobContext& job,
+                                 ChoosingCourse course = {});
 
 }  // namespace furrow

@@ -56,6 +56,7 @@ class TestBestPlan : public QObject {
 
 private slots:
     void savesWhatItSays();
+    void beginsWithThePlanAsAsked();
     void keepsWhatIsKept_data();
     void keepsWhatIsKept();
     void allKeptIsThePlanAsAsked();
@@ -106,6 +107,24 @@ void TestBestPlan::savesWhatItSays() {
     VERIFY_RESULT(again);
     QCOMPARE(timeS(**again), timeS(**best));
     QVERIFY((*again)->path == (*best)->path);
+}
+
+// One pass of headland is the planner's own choice here: nothing is saved by it.
+void TestBestPlan::beginsWithThePlanAsAsked() {
+    const PlanRequest request = requestOf(sample("slanted_field"), "trailed-sprayer");
+    const auto asked = makePlan(request);
+    VERIFY_RESULT(asked);
+    QCOMPARE((*asked)->headland.passes, 1);
+    std::vector<double> told;
+    const auto best =
+        bestPlan({.request = request, .kept = {}, .onBetter = [&](const Settings&, Duration time) {
+                      told.push_back(time.si());
+                  }});
+    VERIFY_RESULT(best);
+    COMPARE_WITHIN((*best)->choices->asked.si(), timeS(**asked), 0.001 * timeS(**asked));
+    COMPARE_WITHIN(told.front(), timeS(**asked), 0.001 * timeS(**asked));
+    QVERIFY(std::ranges::is_sorted(told, std::ranges::greater{}));
+    QVERIFY(timeS(**best) <= timeS(**asked));
 }
 
 void TestBestPlan::keepsWhatIsKept_data() {
