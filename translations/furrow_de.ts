@@ -669,6 +669,10 @@
         </translation>
     </message>
     <message>
+        <source>Times include working separately what a plan leaves.</source>
+        <translation>Die Zeiten enthalten, was ein Plan liegen lässt und getrennt zu bearbeiten wäre.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -1670,6 +1674,10 @@
         <translation>mindestens %1</translation>
     </message>
     <message>
+        <source>Estimates for the land inside the headland, to and fro. The plan adds headland, short passes and ways.</source>
+        <translation>Schätzungen für das Land innerhalb des Vorgewendes, hin und her. Der Plan enthält auch Vorgewende, kurze Spuren und Wege.</translation>
+    </message>
+    <message>
         <source>Let Furrow search the direction</source>
         <translation>Richtung von Furrow suchen lassen</translation>
     </message>
@@ -2624,6 +2632,10 @@
         <translation>%1 Spuren und Wendungen verlassen den Schlag oder queren ein Hindernis, um bis zu %2, wie in diesem Plan erlaubt.</translation>
     </message>
     <message>
+        <source>%1 would save %2 by the estimate, but not as driven</source>
+        <translation>%1 würde nach der Schätzung %2 sparen, gefahren aber nicht</translation>
+    </message>
+    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 ist kein Längen- und Breitengrad</translation>
     </message>
@@ -2666,6 +2678,10 @@
     <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: die Einstellung %2 wird nicht verwendet: %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 × other turns</source>
+        <translation>%1; %2 × andere Wendungen</translation>
     </message>
     <message>
         <source>%1; what it belongs to was left out</source>
@@ -8114,6 +8130,10 @@
             <numerusform>und %n weiterer, im Fenster und in summary.json</numerusform>
             <numerusform>und %n weitere, im Fenster und in summary.json</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
     </message>
     <message>
         <source>%1 × %2</source>

@@ -669,6 +669,10 @@
         </translation>
     </message>
     <message>
+        <source>Times include working separately what a plan leaves.</source>
+        <translation>Los tiempos incluyen trabajar aparte lo que un plan deja.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
@@ -1670,6 +1674,10 @@
         <translation>como mínimo %1</translation>
     </message>
     <message>
+        <source>Estimates for the land inside the headland, to and fro. The plan adds headland, short passes and ways.</source>
+        <translation>Estimaciones para el terreno dentro de la cabecera, ida y vuelta. El plan añade cabecera, pasadas cortas y trayectos.</translation>
+    </message>
+    <message>
         <source>Let Furrow search the direction</source>
         <translation>Dejar que Furrow busque la dirección</translation>
     </message>
@@ -2624,6 +2632,10 @@
         <translation>%1 pasadas y giros salen de la parcela o invaden un obstáculo, en %2 como mucho, como permite este plan.</translation>
     </message>
     <message>
+        <source>%1 would save %2 by the estimate, but not as driven</source>
+        <translation>%1 ahorraría %2 según la estimación, pero no al conducir</translation>
+    </message>
+    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 no es longitud y latitud</translation>
     </message>
@@ -2666,6 +2678,10 @@
     <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: el ajuste %2 no se usa: %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 × other turns</source>
+        <translation>%1; %2 × otros giros</translation>
     </message>
     <message>
         <source>%1; what it belongs to was left out</source>
@@ -8114,6 +8130,10 @@
             <numerusform>y %n más, en la ventana y en summary.json</numerusform>
             <numerusform>y %n más, en la ventana y en summary.json</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Comentarios</translation>
     </message>
     <message>
         <source>%1 × %2</source>

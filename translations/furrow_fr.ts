@@ -669,6 +669,10 @@
         </translation>
     </message>
     <message>
+        <source>Times include working separately what a plan leaves.</source>
+        <translation>Les temps comprennent le travail séparé de ce qu’un plan laisse.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
@@ -1670,6 +1674,10 @@
         <translation>au moins %1</translation>
     </message>
     <message>
+        <source>Estimates for the land inside the headland, to and fro. The plan adds headland, short passes and ways.</source>
+        <translation>Estimations pour la surface à l’intérieur de la fourrière, en aller et retour. Le plan ajoute la fourrière, les passages courts et les trajets.</translation>
+    </message>
+    <message>
         <source>Let Furrow search the direction</source>
         <translation>Laisser Furrow chercher l&apos;orientation</translation>
     </message>
@@ -2624,6 +2632,10 @@
         <translation>%1 passages et demi-tours sortent de la parcelle ou empiètent sur un obstacle, de %2 au plus, comme ce plan le permet.</translation>
     </message>
     <message>
+        <source>%1 would save %2 by the estimate, but not as driven</source>
+        <translation>%1 ferait gagner %2 selon l’estimation, mais pas en conduisant</translation>
+    </message>
+    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 n&apos;est pas une longitude et une latitude</translation>
     </message>
@@ -2666,6 +2678,10 @@
     <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1 : le réglage %2 n&apos;est pas utilisé : %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 × other turns</source>
+        <translation>%1 ; %2 × autres demi-tours</translation>
     </message>
     <message>
         <source>%1; what it belongs to was left out</source>
@@ -8114,6 +8130,10 @@
             <numerusform>et %n autre, dans la fenêtre et dans summary.json</numerusform>
             <numerusform>et %n autres, dans la fenêtre et dans summary.json</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Commentaires</translation>
     </message>
     <message>
         <source>%1 × %2</source>

@@ -669,6 +669,10 @@
         </translation>
     </message>
     <message>
+        <source>Times include working separately what a plan leaves.</source>
+        <translation>De tijden bevatten het apart bewerken van wat een plan laat liggen.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Sluiten</translation>
     </message>
@@ -1670,6 +1674,10 @@
         <translation>minstens %1</translation>
     </message>
     <message>
+        <source>Estimates for the land inside the headland, to and fro. The plan adds headland, short passes and ways.</source>
+        <translation>Schattingen voor het land binnen de kopakker, heen en weer. Het plan bevat ook kopakker, korte werkgangen en ritten.</translation>
+    </message>
+    <message>
         <source>Let Furrow search the direction</source>
         <translation>Furrow de richting laten zoeken</translation>
     </message>
@@ -2624,6 +2632,10 @@
         <translation>%1 werkgangen en draaien komen buiten het perceel of gaan over een obstakel, tot %2, zoals dit plan toestaat.</translation>
     </message>
     <message>
+        <source>%1 would save %2 by the estimate, but not as driven</source>
+        <translation>%1 zou volgens de schatting %2 besparen, maar gereden niet</translation>
+    </message>
+    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 is geen lengte- en breedtegraad</translation>
     </message>
@@ -2666,6 +2678,10 @@
     <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: de instelling %2 wordt niet gebruikt: %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 × other turns</source>
+        <translation>%1; %2 × andere wendingen</translation>
     </message>
     <message>
         <source>%1; what it belongs to was left out</source>
@@ -8114,6 +8130,10 @@
             <numerusform>en nog %n, in het venster en in summary.json</numerusform>
             <numerusform>en nog %n, in het venster en in summary.json</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Opmerkingen</translation>
     </message>
     <message>
         <source>%1 × %2</source>

@@ -669,6 +669,10 @@
         </translation>
     </message>
     <message>
+        <source>Times include working separately what a plan leaves.</source>
+        <translation>Os tempos incluem trabalhar à parte o que um plano deixa.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fechar</translation>
     </message>
@@ -1670,6 +1674,10 @@
         <translation>no mínimo %1</translation>
     </message>
     <message>
+        <source>Estimates for the land inside the headland, to and fro. The plan adds headland, short passes and ways.</source>
+        <translation>Estimativas para a área dentro da cabeceira, em vaivém. O plano acrescenta cabeceira, passadas curtas e trajetos.</translation>
+    </message>
+    <message>
         <source>Let Furrow search the direction</source>
         <translation>Deixar o Furrow buscar a direção</translation>
     </message>
@@ -2624,6 +2632,10 @@
         <translation>%1 passadas e manobras saem do talhão ou avançam sobre um obstáculo, em até %2, como este plano permite.</translation>
     </message>
     <message>
+        <source>%1 would save %2 by the estimate, but not as driven</source>
+        <translation>%1 economizaria %2 pela estimativa, mas não ao conduzir</translation>
+    </message>
+    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 não é longitude e latitude</translation>
     </message>
@@ -2666,6 +2678,10 @@
     <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: a configuração %2 não é usada: %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 × other turns</source>
+        <translation>%1; %2 × outras manobras</translation>
     </message>
     <message>
         <source>%1; what it belongs to was left out</source>
@@ -8114,6 +8130,10 @@
             <numerusform>e mais %n, na janela e em summary.json</numerusform>
             <numerusform>e mais %n, na janela e em summary.json</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Comentários</translation>
     </message>
     <message>
         <source>%1 × %2</source>

@@ -30,6 +30,8 @@ constexpr double kMinutesUpToS = 90.0 * kMinuteS;
 constexpr double kWorthTellingS = 5.0;
 constexpr double kWorthTellingShare = 0.005;
 constexpr double kSameShownDeg = 0.05;
+// Candidates are at least a degree apart.
+constexpr double kSameCompared = 0.5;
 constexpr double kDryM2 = 0.5;
 // The outermost pass touches the edge; that is no news.
 constexpr double kTouchesM = 0.01;
@@ -137,10 +139,25 @@ Message againstLongestEdge(const HeadingCurve& curve) {
                    bearingMessage(edge.heading));
 }
 
-Message againstQuickest(const HeadingCurve& curve) {
+/// Whether the heading with the best estimate was compared with the plan's as driven.
+bool isDecidedAsDriven(const Plan& plan, const HeadingCurve& curve) {
+    const Settings& settings = plan.request.settings;
+    const std::vector<HeadingCandidate>& compared = plan.swaths.candidates;
+    return swathMethod(settings).traits.searchesHeadings && objectiveOf(settings) == SwathObjective::Time &&
+           !compared.empty() &&
+           inDegrees(angleBetweenLines(compared.front().heading, curve.trials[curve.quickest].heading)) <
+               kSameCompared;
+}
+
+/// @param asDriven  whether the driven path decided, not the estimate
+Message againstQuickest(const HeadingCurve& curve, bool asDriven) {
     const HeadingTrial& chosen = curve.trials[curve.chosen];
     const HeadingTrial& quickest = curve.trials[curve.quickest];
     if (const auto lost = savedBetween(quickest, chosen)) {
+        if (asDriven) {
+            return message("{} would save {} by the estimate, but not as driven",
+                           bearingMessage(quickest.heading), *lost);
+        }
         return message("by this estimate {} would save {}", bearingMessage(quickest.heading), *lost);
     }
     return message("no heading is quicker");
@@ -177,8 +194,9 @@ std::optional<Message> whySwaths(const Plan& plan, const std::optional<HeadingCu
     if (!curve || !curve->longestEdge) {
         return std::nullopt;
     }
-    const Message compared =
-        message("{}; {}.", againstLongestEdge(*curve), againstQuickest(*curve)).capitalised();
+    const Message compared = message("{}; {}.", againstLongestEdge(*curve),
+                                     againstQuickest(*curve, isDecidedAsDriven(plan, *curve)))
+                                 .capitalised();
     const auto objective = byObjective(plan, *curve);
     return objective ? *objective + " " + compared : compared;
 }
@@ -279,7 +297,7 @@ std::optional<Message> ofProof(const Plan& plan) {
         return std::nullopt;
     }
     const double gap = plan.proof->gap();
-    return gap < kWorthTellingShare
+    return plan.proof->isBest()
                ? message("No order of these swaths is better; that is proved.")
                : message(
                      "No order of these swaths can save more than {:.1f} % of the turns, or {:.1f} % of all.",
@@ -371,9 +389,17 @@ std::optional<Message> whyTurns(const Plan& plan) {
     const std::vector<ShapeCount> shapes = shapesOf(drivenTurns(plan.path));
     constexpr std::size_t kMostShapes = 3;
     std::optional<Message> told;
-    for (std::size_t i = 0; i < std::min(shapes.size(), kMostShapes); ++i) {
+    int others = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (i >= kMostShapes && shapes.size() > kMostShapes + 1) {
+            others += shapes[i].count;
+            continue;
+        }
         const Message one = shapeMessage(shapes[i]);
         told = told ? message("{}; {}", *told, one) : one;
+    }
+    if (others > 0) {
+        told = message("{}; {} × other turns", *told, others);
     }
     const auto way = longestWay(plan.path);
     if (told) {

@@ -40,6 +40,12 @@ double RouteProof::gapTotal() const {
     return share(working + nonWorking, working + lowerBound);
 }
 
+bool RouteProof::isBest() const {
+    // A smaller gap is shown as 0.0 %.
+    constexpr double kRounding = 0.0005;
+    return gap() < kRounding;
+}
+
 Result<std::optional<RouteProof>> proofOf(const Route& route, const RouteTask& task, const JobContext& job) {
     RouteCosts costs{task};
     LinkCosts& links = costs.links();

@@ -19,6 +19,8 @@ struct RouteProof {
     double gap() const;
     /// The same of the whole cost.
     double gapTotal() const;
+    /// Nothing to gain but rounding.
+    bool isBest() const;
 
     friend bool operator==(const RouteProof&, const RouteProof&) = default;
 };

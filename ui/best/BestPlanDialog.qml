@@ -129,6 +129,12 @@ ThemedDialog {
         visible: root.done
         text: qsTr("%n alternative(s) were planned.", "", root.search.alternatives)
     }
+    Caption {
+        width: parent.width
+        visible: !root.idle
+        text: qsTr("Times include working separately what a plan leaves.")
+        wrapMode: Text.WordWrap
+    }
     // Rows that a small window has no room for scroll; the buttons stay.
     ScrollArea {
         width: parent.width + 16

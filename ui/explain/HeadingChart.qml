@@ -228,6 +228,12 @@ Column {
         // Two lines are kept for it: nothing below moves with the pointer.
         height: Math.max(implicitHeight, 32)
     }
+    Caption {
+        width: parent.width
+        text: qsTr("Estimates for the land inside the headland, to and fro. The plan adds headland, short passes and ways.")
+        wrapMode: Text.WordWrap
+        lineHeight: 1.15
+    }
     PushButton {
         objectName: "headings.search"
         width: parent.width

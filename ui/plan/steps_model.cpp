@@ -17,9 +17,6 @@ namespace furrow {
 
 namespace {
 
-// A smaller gap is rounding, shown as 0.0 %.
-constexpr double kProvedGap = 0.0005;
-
 /// The setting that picks the method, those of the method, and those of the stage.
 std::vector<const Parameter*> parametersOf(const StageInfo& stage, const Settings& settings) {
     std::vector<const Parameter*> all;
@@ -84,7 +81,7 @@ QString resultOf(std::string_view stage, const Plan& plan) {
     }
     if (stage == "route") {
         if (plan.proof) {
-            return plan.proof->gap() < kProvedGap
+            return plan.proof->isBest()
                        ? StepsModel::tr("proved: no order is better")
                        : StepsModel::tr("turns within %1 of the best").arg(percentText(plan.proof->gap(), 1));
         }
