@@ -142,6 +142,12 @@ Uniforms uniformsOf(const QSGGeometryNode& node) {
     return static_cast<const MeshMaterial*>(node.material())->uniforms;
 }
 
+/// A node without vertices has no place among those that are drawn, and a new geometry alone does not give it
+/// one.
+QSGNode::DirtyState afterChange(bool wasEmpty) {
+    return wasEmpty ? QSGNode::DirtyGeometry | QSGNode::DirtyMaterial : QSGNode::DirtyGeometry;
+}
+
 }  // namespace
 
 LineNode::LineNode() {
@@ -157,6 +163,7 @@ LineNode::LineNode() {
 void LineNode::setMesh(const LineMesh& mesh) {
     const auto& vertices = mesh.vertices();
     const auto segments = static_cast<unsigned>(vertices.size() / 4);
+    const bool wasEmpty = geometry()->vertexCount() == 0;
     geometry()->allocate(static_cast<int>(vertices.size()), static_cast<int>(segments * 6));
     if (segments > 0) {
         std::memcpy(geometry()->vertexData(), vertices.data(), vertices.size() * sizeof(LineVertex));
@@ -169,7 +176,7 @@ void LineNode::setMesh(const LineMesh& mesh) {
     }
     geometry()->markVertexDataDirty();
     geometry()->markIndexDataDirty();
-    markDirty(DirtyGeometry);
+    markDirty(afterChange(wasEmpty));
 }
 
 void LineNode::setStyle(const LineStyle& style) {
@@ -210,12 +217,13 @@ FillNode::FillNode() {
 
 void FillNode::setMesh(const FillMesh& mesh) {
     static_assert(sizeof(MapPoint) == sizeof(QSGGeometry::Point2D));
+    const bool wasEmpty = geometry()->vertexCount() == 0;
     geometry()->allocate(static_cast<int>(mesh.size()));
     if (!mesh.empty()) {
         std::memcpy(geometry()->vertexData(), mesh.data(), mesh.size() * sizeof(MapPoint));
     }
     geometry()->markVertexDataDirty();
-    markDirty(DirtyGeometry);
+    markDirty(afterChange(wasEmpty));
 }
 
 void FillNode::setStyle(const QColor& color, double hatchPx) {

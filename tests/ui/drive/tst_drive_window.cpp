@@ -18,6 +18,7 @@ private slots:
     void init();
     void cleanup();
     void playsToTheEnd();
+    void allWorkedLandIsDrawn();
     void sliderByMouseAndKeys();
     void goesToWhatIsSelected();
     void followsTheMachine();
@@ -47,6 +48,7 @@ void TestDriveWindow::take(const char* machine) {
     const Project& project = *session_->document()->project();
     session_->document()->change([] { return QString{}; },
                                  withPlan(project, findMachine(machine).value(), project.plan().settings));
+    QTRY_VERIFY(session_->shown()->plan()->request.machine.name() == findMachine(machine).value().name());
     QTRY_VERIFY(isFinished(session_->planning()->state()));
     QTRY_VERIFY(drive().isAvailable() && drive().plan() == session_->shown()->plan());
 }
@@ -71,6 +73,26 @@ void TestDriveWindow::playsToTheEnd() {
     click("drive.play");
     QVERIFY(drive().time() < drive().duration());
     click("drive.play");
+}
+
+// As it plays, and at once, as the slider goes.
+void TestDriveWindow::allWorkedLandIsDrawn() {
+    end();
+    begin({1440, 900});
+    openSample("Slanted Field");
+    QTRY_VERIFY(drive().isAvailable());
+    take("trailed-sprayer");
+    const double endS = drive().duration();
+    drive().setTime(0.5 * endS);
+    drive().setTime(endS);
+    const QImage atOnce = window_->grabWindow();
+    drive().setTime(0.0);
+    QVERIFY(window_->grabWindow() != atOnce);
+    drive().setPace(64);
+    click("drive.play");
+    QTRY_VERIFY_WITH_TIMEOUT(!drive().isPlaying(), 120'000);
+    QCOMPARE(drive().time(), endS);
+    QCOMPARE(window_->grabWindow(), atOnce);
 }
 
 void TestDriveWindow::sliderByMouseAndKeys() {
