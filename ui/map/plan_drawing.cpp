@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace furrow {
 
@@ -158,6 +159,33 @@ void addPath(PlanGeometry& geometry, const MapFrame& frame, const Path& path) {
     }
 }
 
+/// A towed implement is at the end of its swath when the machine is some way farther: that way, so that the
+/// turn begins where the swath is drawn to.
+void addWaysBeyondSwaths(PlanGeometry& geometry, const MapFrame& frame, const Plan& plan) {
+    std::map<int, const Swath*> swaths;
+    for (const Swath& swath : plan.swaths.swaths) {
+        swaths.emplace(swath.number, &swath);
+    }
+    for (const PathSegment& segment : plan.path.segments) {
+        const auto swath = swaths.find(segment.number);
+        if (segment.kind != SegmentKind::Swath || swath == swaths.end()) {
+            continue;
+        }
+        const Point last = segment.samples.back().position;
+        const Polyline line = middleLine(*swath->second);
+        const Point end =
+            distance(line.front(), last) < distance(line.back(), last) ? line.front() : line.back();
+        const auto here = std::ranges::min_element(
+            segment.samples, {}, [end](const PathSample& sample) { return distance(sample.position, end); });
+        Polyline beyond{end};
+        std::transform(here + 1, segment.samples.end(), std::back_inserter(beyond),
+                       [](const PathSample& sample) { return sample.position; });
+        if (beyond.size() > 1) {
+            geometry.beyondSwaths.add(frame.map(beyond));
+        }
+    }
+}
+
 void addProblem(PlanGeometry& geometry, const std::optional<GeoPoint>& problem) {
     if (problem) {
         geometry.findings.push_back({mapPoint(worldPoint(*problem), geometry.origin), Weight::Blocks});
@@ -270,6 +298,7 @@ PlanGeometry planGeometry(const Plan& plan) {
             geometry.tramlines.add(line);
         }
     }
+    addWaysBeyondSwaths(geometry, frame, plan);
     addPath(geometry, frame, plan.path);
     if (plan.refill) {
         geometry.refillPoints = frame.map(plan.refill->points);

@@ -114,6 +114,7 @@ PlanScene::PlanScene() {
     obstacleEdges_ = newLine(transform_);
     swathCasing_ = newLine(transform_);
     swaths_ = newLine(transform_);
+    beyondSwaths_ = newLine(transform_);
     tramlines_ = newLine(transform_);
     transform_->appendChildNode(chunkParent_);
     halo_ = newLine(transform_);
@@ -154,6 +155,7 @@ void PlanScene::setGeometry(std::shared_ptr<const PlanGeometry> geometry) {
     obstacleEdges_->setMesh(shown.obstacleEdges);
     swathCasing_->setMesh(shown.swaths);
     swaths_->setMesh(shown.swaths);
+    beyondSwaths_->setMesh(shown.beyondSwaths);
     tramlines_->setMesh(shown.tramlines);
     for (const PathChunk& chunk : shown.chunks) {
         auto* node = new LineNode;
@@ -204,13 +206,15 @@ void PlanScene::setStyle(const PlanStyle& style) {
 
 void PlanScene::styleDensity() {
     const double rest = style_.restAlpha();
-    swaths_->setStyle(
-        {.color = faded(style_.swath, rest * asLines_), .widthPx = 1.5 * style_.lineFactor * density_});
+    for (LineNode* const lines : {swaths_, beyondSwaths_}) {
+        lines->setStyle(
+            {.color = faded(style_.swath, rest * asLines_), .widthPx = 1.5 * style_.lineFactor * density_});
+        lines->setShown(style_.showSwaths && asLines_ > 0.0);
+    }
     swathCasing_->setStyle({.color = faded(style_.ground, 0.75 * rest * asLines_),
                             .widthPx = (1.5 * style_.lineFactor + 1.8) * density_});
     worked_->setStyle(faded(style_.swath, 0.4 * rest * (1.0 - asLines_)));
     worked_->setShown(style_.showSwaths && asLines_ < 1.0);
-    swaths_->setShown(style_.showSwaths && asLines_ > 0.0);
     swathCasing_->setShown(style_.showSwaths && style_.onImagery && asLines_ > 0.0);
     for (const ChunkNode& chunk : chunks_) {
         styleChunk(chunk);

@@ -154,6 +154,7 @@ private:
     LineNode* obstacleEdges_;
     LineNode* swathCasing_;
     LineNode* swaths_;
+    LineNode* beyondSwaths_;
     LineNode* tramlines_;
     QSGNode* chunkParent_ = new QSGNode;
     std::vector<LineNode*> lines_;

@@ -15,7 +15,8 @@ namespace {
 
 /// A rectangle of this size with its south-west corner at 22.5 E, 58.25 N.
 std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg,
-                                   std::initializer_list<std::pair<const char*, const char*>> given = {}) {
+                                   std::initializer_list<std::pair<const char*, const char*>> given = {},
+                                   std::string_view machine = "agbot") {
     Settings settings;
     for (const auto& [key, value] : given) {
         applySetting(settings, key, value).value();
@@ -32,7 +33,7 @@ std::shared_ptr<const Plan> planOf(double widthDeg, double heightDeg,
                                       .gates = {},
                                       .boundaryAccuracy = {}});
     return makePlan({.field = std::make_shared<const Field>(field.value()),
-                     .machine = machineLibrary().front(),
+                     .machine = findMachine(machine).value(),
                      .settings = settings})
         .value();
 }
@@ -82,6 +83,28 @@ private slots:
         QVERIFY(tramlineChords > 0);
         QCOMPARE(geometry.swaths.vertices().size(), 4 * chords);
         QCOMPARE(geometry.tramlines.vertices().size(), 4 * tramlineChords);
+    }
+    // The implement of a trailed sprayer is metres behind the machine: what is drawn of a swath goes on to
+    // where its turn begins.
+    void swathsReachTheirTurns() {
+        const auto plan = planOf(0.005, 0.003, {}, "trailed-sprayer");
+        const PlanGeometry geometry = planGeometry(*plan);
+        const std::vector<LineVertex>& corners = geometry.beyondSwaths.vertices();
+        int turns = 0;
+        for (std::size_t i = 1; i < geometry.segments.size(); ++i) {
+            if (geometry.segments[i].kind != PathKind::Turn ||
+                geometry.segments[i - 1].kind != PathKind::Work) {
+                continue;
+            }
+            ++turns;
+            const MapPoint begin = geometry.segments[i].points.front();
+            QVERIFY(std::ranges::any_of(corners, [&](const LineVertex& corner) {
+                const double x = double{corner.start.x} + double{corner.delta.x} - double{begin.x};
+                const double y = double{corner.start.y} + double{corner.delta.y} - double{begin.y};
+                return std::hypot(x, y) < 0.1 * geometry.unitsPerMetre;
+            }));
+        }
+        QVERIFY(turns > 3);
     }
     void hasEverythingOfThePlan() {
         const auto plan = planOf(0.01, 0.004);
