@@ -128,6 +128,7 @@ Result<PrintJob> jobOfProject(const ReportArguments& arguments, Kind kind, const
         print.plans.push_back(orderedPlan(*std::move(sheet), plan.order));
         print.plans.back().planName = fromStd(plan.name);
         print.plans.back().season = fromStd(plan.season);
+        print.plans.back().comments = plan.review.openComments();
     }
     return print;
 }

@@ -1,6 +1,8 @@
 #include "planner/project/review.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 namespace furrow {
 
@@ -17,6 +19,12 @@ bool update(ReviewComment& mine, const ReviewComment& theirs) {
 }
 
 }  // namespace
+
+std::vector<ReviewComment> Review::openComments() const {
+    std::vector<ReviewComment> open;
+    std::ranges::copy_if(comments, std::back_inserter(open), std::logical_not{}, &ReviewComment::settled);
+    return open;
+}
 
 MergedReview merged(const Review& mine, const Review& theirs) {
     MergedReview result{.review = mine};

@@ -44,6 +44,8 @@ struct Review {
     std::string others;
 
     bool empty() const { return id.empty() && comments.empty() && verdict.verdict == Verdict::None; }
+    /// Comments that nobody has settled.
+    std::vector<ReviewComment> openComments() const;
     friend bool operator==(const Review&, const Review&) = default;
 };
 

@@ -260,6 +260,7 @@ Result<OrderSheet> sheetOf(PlanTexts texts) {
         }
         addPath(*path, sheet);
         sheet.startGeo = frame->toGeo(sheet.start);
+        sheet.frame = *frame;
         sheet.pathFile = std::move(texts.path);
         return sheet;
     } catch (const Json::exception&) {

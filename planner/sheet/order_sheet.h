@@ -102,6 +102,7 @@ struct OrderSheet {
     Point start;
     Point end;
     GeoPoint startGeo;
+    std::optional<LocalFrame> frame;  ///< of all places
     SheetFigures figures;
     std::vector<Finding> findings;
     std::vector<GeoPoint> findingPlaces;  ///< of each

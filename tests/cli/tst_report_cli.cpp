@@ -20,6 +20,8 @@
 
 #include <cmath>
 #include <csignal>
+#include <map>
+#include <optional>
 
 // What Qt's waiting macros expand to narrows a duration.
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -134,6 +136,37 @@ private slots:
         const auto last = lastPage.match(text.trimmed());
         QCOMPARE(last.captured(1), infoOf(at("order.pdf"), "Pages"));
         QCOMPARE(last.captured(2), infoOf(at("order.pdf"), "Pages"));
+    }
+
+    // Swaths are called on the map as in the order of the passes and in findings. The last one is driven
+    // first here, and lies in the west.
+    void oneNumberForASwath() {
+        QCOMPARE(furrowCli({"plan", sampleField("slanted_field"), "--machine", "trailed-sprayer", "--out",
+                            at("slanted"), "--quiet"})
+                     .status,
+                 0);
+        QCOMPARE(furrowCli({"report", at("slanted"), "--out", at("slanted.svg")}).status, 0);
+        QCOMPARE(furrowCli({"report", at("slanted"), "--out", at("slanted.pdf")}).status, 0);
+        QXmlStreamReader xml{contentsOf(at("slanted.svg"))};
+        std::map<int, double> westToEast;  // by number
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (!xml.isStartElement() || xml.name() != QLatin1String{"text"} ||
+                xml.attributes().value("font-size") != QLatin1String{"212"}) {
+                continue;
+            }
+            const double x = xml.attributes().value("x").toDouble();
+            bool isNumber = false;
+            const int number = xml.readElementText().trimmed().toInt(&isNumber);
+            if (isNumber) {
+                westToEast.emplace(number, x);  // findings come later
+            }
+        }
+        QCOMPARE(westToEast.size(), std::size_t{6});
+        static const QRegularExpression first{QStringLiteral("\\b2 Swath (\\d)\\b")};
+        const QString order = textOf(at("slanted.pdf")).section(QStringLiteral("Order of the passes"), 1);
+        QCOMPARE(first.match(order).captured(1), QStringLiteral("6"));
+        QVERIFY(westToEast[6] < westToEast[3] && westToEast[3] < westToEast[1]);
     }
 
     void theMapIsToScale() {
@@ -258,6 +291,39 @@ private slots:
             QVERIFY(text.contains(sha256(contentsOf(at(field) + "/path.csv"))));
         }
         QVERIFY(sha256(contentsOf(at("North/path.csv"))) != sha256(contentsOf(at("South/path.csv"))));
+    }
+
+    // Comments that nobody has settled, with a letter where they have a place.
+    void commentsOfAReview() {
+        Project farm = Project::empty();
+        farm.fields = {rectangleField("field-1", "North", 200.0, 120.0, 5.0, {})};
+        ProjectField field = *farm.fields.front();
+        const auto comment = [](const char* id, const char* text, std::optional<GeoPoint> place,
+                                bool settled) {
+            return ReviewComment{.id = id,
+                                 .author = "Bram",
+                                 .written = "2026-11-25T10:56:00Z",
+                                 .text = text,
+                                 .place = place,
+                                 .planKey = {},
+                                 .settled = settled,
+                                 .others = {}};
+        };
+        field.plans.front().review.comments = {
+            comment("1", "Power pole, keep 3 m away", GeoPoint{5.0, 52.0}, false),
+            comment("2", "Was too fast", std::nullopt, true),
+            comment("3", "Begin before noon", std::nullopt, false)};
+        farm.fields.front() = std::make_shared<const ProjectField>(std::move(field));
+        VERIFY_RESULT(writeProject(farm, at("Review.furrow").toStdU16String()));
+        QCOMPARE(furrowCli({"report", at("Review.furrow"), "--out", at("review.pdf")}).status, 0);
+        QCOMPARE(furrowCli({"report", at("Review.furrow"), "--out", at("review.svg")}).status, 0);
+        const QString text = textOf(at("review.pdf"));
+        static const QRegularExpression placed{QStringLiteral("A\\s+Power pole, keep 3 m away\\s+Bram")};
+        static const QRegularExpression whole{QStringLiteral("B\\s+Begin before noon\\s+Bram")};
+        QVERIFY(text.contains("Comments") && text.contains(placed) && text.contains(whole));
+        QVERIFY(!text.contains("Was too fast"));
+        const QByteArray map = contentsOf(at("review.svg"));
+        QVERIFY(map.contains(">A</text>") && !map.contains(">B</text>"));
     }
 
     void oneFieldOfAFarm() {

@@ -139,6 +139,7 @@ void OrderLayout::lay() {
     layFacts();
     layRecord();
     layFindings();
+    layComments();
     layTurns();
     layPasses();
     layHash();
@@ -259,7 +260,7 @@ void OrderLayout::layBanner() {
 void OrderLayout::layMap() {
     constexpr double kFiguresBelow = 25.0;
     const QRectF box = flow_.take(flow_.rest() - kFiguresBelow);
-    const auto map = std::make_shared<const SheetMap>(sheet_, box);
+    const auto map = std::make_shared<const SheetMap>(sheet_, plan_.comments, box);
     flow_.draw([map](Canvas& canvas) { map->draw(canvas); });
 }
 
@@ -485,6 +486,34 @@ void OrderLayout::layFindings() {
     }
 }
 
+void OrderLayout::layComments() {
+    if (plan_.comments.empty()) {
+        return;
+    }
+    heading(LayoutWords::tr("Comments"), 10.0);
+    const double indent = 9.0;
+    const double aside = 38.0;
+    for (std::size_t i = 0; i < plan_.comments.size(); ++i) {
+        const ReviewComment& comment = plan_.comments[i];
+        const QStringList lines = wrappedLines(fromStd(comment.text), flow_.width() - indent - aside, kBody);
+        const double height = 1.6 + lineHeightMm(kBody) * static_cast<double>(lines.size());
+        flow_.need(height);
+        const QRectF box = flow_.take(height);
+        const TextLook quiet{.points = 7.5, .weight = QFont::Normal, .colour = ink::kQuiet};
+        flow_.draw([=, letter = commentLetter(i),
+                    author = elided(fromStd(comment.author), aside - 2.0, quiet)](Canvas& canvas) {
+            canvas.text(box.topLeft() + QPointF{5.5, 3.4}, letter,
+                        {.points = 8.5, .weight = QFont::DemiBold, .colour = ink::kText}, Qt::AlignRight);
+            double base = box.top() + 3.4;
+            for (const QString& line : lines) {
+                canvas.text({box.left() + indent, base}, line, kBody);
+                base += lineHeightMm(kBody);
+            }
+            canvas.text(box.topRight() + QPointF{0.0, 3.4}, author, quiet, Qt::AlignRight);
+        });
+    }
+}
+
 void OrderLayout::layTurns() {
     if (sheet_.turns.empty()) {
         return;
@@ -516,16 +545,16 @@ void OrderLayout::layPasses() {
         QString bearing;
     };
     std::vector<Pass> passes;
-    int swath = 0;
     for (const SheetPass& pass : sheet_.passes) {
         const bool headland = pass.kind == SegmentKind::HeadlandPass;
-        passes.push_back(
-            {headland ? LayoutWords::tr("H%1", "headland pass").arg(pass.number) : QString::number(++swath),
-             headland ? LayoutWords::tr("Headland") : LayoutWords::tr("Swath %1").arg(pass.number),
-             lengthText(pass.length),
-             pass.bearingDeg
-                 ? LayoutWords::tr("%1°").arg(static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
-                 : QString{}});
+        passes.push_back({QString::number(passes.size() + 1),
+                          headland ? LayoutWords::tr("Headland") + u' ' +
+                                         LayoutWords::tr("H%1", "headland pass").arg(pass.number)
+                                   : LayoutWords::tr("Swath %1").arg(pass.number),
+                          lengthText(pass.length),
+                          pass.bearingDeg ? LayoutWords::tr("%1°").arg(
+                                                static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
+                                          : QString{}});
     }
     constexpr int kColumns = 4;
     constexpr double kBearing = 7.8;
@@ -559,9 +588,9 @@ void OrderLayout::layPasses() {
                     if (i % 2 == 0) {
                         canvas.rectangle({x, y, inner, kRow}, ink::kGround);
                     }
-                    canvas.text({x + 6.0, y + 3.0}, part[i].number, bold, Qt::AlignRight);
-                    canvas.text({x + 7.5, y + 3.0}, elided(part[i].name, inner - 7.5 - kBearing - 10.0, cell),
-                                cell);
+                    canvas.text({x + 6.0, y + 3.0}, part[i].number, cell, Qt::AlignRight);
+                    canvas.text({x + 7.5, y + 3.0}, elided(part[i].name, inner - 7.5 - kBearing - 10.0, bold),
+                                bold);
                     canvas.text({x + inner - kBearing, y + 3.0}, part[i].length, cell, Qt::AlignRight);
                     canvas.text({x + inner, y + 3.0}, part[i].bearing, cell, Qt::AlignRight);
                 }

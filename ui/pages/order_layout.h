@@ -25,6 +25,7 @@ private:
     void layFacts();
     void layRecord();
     void layFindings();
+    void layComments();
     void layTurns();
     void layPasses();
     void layHash();

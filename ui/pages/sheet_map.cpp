@@ -28,6 +28,7 @@ constexpr double kRoom = 5.0;  ///< between the field and the edge of the map
 constexpr double kFinestMm = 0.025;
 
 const TextLook kNumberLook{.points = 6.0, .weight = QFont::DemiBold, .colour = ink::kSwath};
+const TextLook kCommentLook{.points = 7.0, .weight = QFont::DemiBold, .colour = Qt::white};
 const TextLook kRingLook{.points = 6.0, .weight = QFont::DemiBold, .colour = QColor{0x8A, 0x5F, 0x00}};
 const TextLook kFindingLook{.points = 6.0, .weight = QFont::DemiBold, .colour = Qt::white};
 const TextLook kNameLook{.points = 7.0, .weight = QFont::Medium, .colour = ink::kText};
@@ -89,14 +90,22 @@ void addRings(const Polygon& polygon, std::vector<Ring>& rings) {
 
 }  // namespace
 
-SheetMap::SheetMap(const OrderSheet& sheet, const QRectF& box)
+QString commentLetter(std::size_t index) {
+    QString letters;
+    for (++index; index > 0; index = (index - 1) / 26) {
+        letters.prepend(static_cast<char16_t>(u'A' + (index - 1) % 26));
+    }
+    return letters;
+}
+
+SheetMap::SheetMap(const OrderSheet& sheet, std::span<const ReviewComment> comments, const QRectF& box)
     : map_{box.adjusted(0.0, 0.0, 0.0, -kKeyHeight)},
       key_{box.left(), box.bottom() - kKeyHeight, box.width(), kKeyHeight} {
     const Bounds extent = bounds(sheet.field);
     scale_ = roundMapScale(extent, map_.width() - 2.0 * kRoom, map_.height() - 2.0 * kRoom);
     centre_ = 0.5 * (extent.min + extent.max);
     layShapes(sheet);
-    layMarks(sheet);
+    layMarks(sheet, comments);
 }
 
 QPointF SheetMap::onPage(Point place) const {
@@ -149,17 +158,19 @@ void SheetMap::layShapes(const OrderSheet& sheet) {
             places.push_back(plain(point));
         }
         swathLines_.push_back(std::move(places));
+        swathNumbers_.push_back(pass.number);
     }
     start_ = onPage(sheet.start);
     end_ = onPage(sheet.end);
 }
 
-void SheetMap::layMarks(const OrderSheet& sheet) {
+void SheetMap::layMarks(const OrderSheet& sheet, std::span<const ReviewComment> comments) {
     LabelPlaces places{{.corner = plain(map_.topLeft()), .width = map_.width(), .height = map_.height()}};
     places.block(around(start_, kEndHalf));
     places.block(around(end_, kEndHalf));
     layGates(sheet, places);
     layFindings(sheet, places);
+    layComments(sheet, comments, places);
     layNumbers(sheet, places);
     layArrows(places);
 }
@@ -216,18 +227,40 @@ void SheetMap::layFindings(const OrderSheet& sheet, LabelPlaces& places) {
     }
 }
 
+void SheetMap::layComments(const OrderSheet& sheet, std::span<const ReviewComment> comments,
+                           LabelPlaces& places) {
+    for (std::size_t i = 0; i < comments.size(); ++i) {
+        if (!comments[i].place || !sheet.frame) {
+            continue;
+        }
+        const QString letter = commentLetter(i);
+        const Point at = plain(onPage(sheet.frame->toLocal(*comments[i].place)));
+        LabelWish wish{.places = {at}, .width = textWidthMm(letter, kCommentLook) + 2.2, .height = 3.6};
+        for (int eighth = 0; eighth < 8; ++eighth) {
+            wish.places.push_back(at + 4.0 * direction(eighth * std::numbers::pi / 4.0));
+        }
+        if (const auto place = places.place(wish)) {
+            comments_.push_back({.middle = qt(*place), .text = letter, .width = wish.width});
+        }
+    }
+}
+
 void SheetMap::layNumbers(const OrderSheet& sheet, LabelPlaces& places) {
+    // By the numbers of the swaths, as on the screen and in findings: their order stands in its table.
+    std::vector<std::size_t> byNumber(swathLines_.size());
+    std::ranges::iota(byNumber, std::size_t{0});
+    std::ranges::stable_sort(byNumber, {}, [this](std::size_t i) { return swathNumbers_[i]; });
     std::vector<LabelWish> wishes;
-    for (std::size_t i = 0; i < swathLines_.size(); ++i) {
-        const QString text = QString::number(i + 1);
+    for (const std::size_t i : byNumber) {
+        const QString text = QString::number(swathNumbers_[i]);
         LabelWish wish{.places = {},
                        .width = textWidthMm(text, kNumberLook) + 1.6 + kBetweenNumbers,
                        .height = kNumberHeight + kBetweenNumbers};
         for (const double share : {0.5, 0.45, 0.55}) {
             wish.places.push_back(pointAt(swathLines_[i], share).place);
         }
-        if (i == 0 || i + 1 == swathLines_.size()) {
-            // Where the work begins and ends has its number even if that stands beside.
+        if (i == byNumber.front() || i == byNumber.back()) {
+            // The first and the last swath have their number even if that stands beside.
             for (int eighth = 0; eighth < 8; ++eighth) {
                 wish.places.push_back(wish.places.front() +
                                       kBeside * direction(eighth * std::numbers::pi / 4.0));
@@ -239,7 +272,7 @@ void SheetMap::layNumbers(const OrderSheet& sheet, LabelPlaces& places) {
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (placed[i]) {
             numbers_.push_back({.middle = qt(*placed[i]),
-                                .text = QString::number(i + 1),
+                                .text = QString::number(swathNumbers_[byNumber[i]]),
                                 .width = wishes[i].width - kBetweenNumbers});
         }
     }
@@ -337,6 +370,11 @@ void SheetMap::draw(Canvas& canvas) const {
     drawStart(canvas, start_);
     for (const Mark& mark : findings_) {
         drawDiamond(canvas, mark.middle, mark.text, mark.blocking);
+    }
+    for (const Mark& mark : comments_) {
+        canvas.rectangle({mark.middle.x() - 0.5 * mark.width, mark.middle.y() - 1.8, mark.width, 3.6},
+                         ink::kText, Qt::white, 0.2, 1.0);
+        canvas.text(mark.middle + QPointF{0.0, 0.95}, mark.text, kCommentLook, Qt::AlignHCenter);
     }
     canvas.unclip();
     drawKey(canvas);

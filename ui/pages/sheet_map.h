@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/project/review.h"
 #include "planner/sheet/map_layout.h"
 #include "planner/sheet/order_sheet.h"
 #include "ui/pages/canvas.h"
@@ -7,6 +8,7 @@
 #include <QRectF>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace furrow {
@@ -15,7 +17,7 @@ namespace furrow {
 class SheetMap {
 public:
     /// @param box  on the page, in millimetres. Keeps what it needs of the sheet.
-    SheetMap(const OrderSheet& sheet, const QRectF& box);
+    SheetMap(const OrderSheet& sheet, std::span<const ReviewComment> comments, const QRectF& box);
 
     void draw(Canvas& canvas) const;
     /// 2000 for 1 to 2,000.
@@ -37,8 +39,9 @@ private:
     QList<QPolygonF> onPage(const MultiPolygon& polygons) const;
 
     void layShapes(const OrderSheet& sheet);
-    void layMarks(const OrderSheet& sheet);
+    void layMarks(const OrderSheet& sheet, std::span<const ReviewComment> comments);
     void layFindings(const OrderSheet& sheet, LabelPlaces& places);
+    void layComments(const OrderSheet& sheet, std::span<const ReviewComment> comments, LabelPlaces& places);
     void layGates(const OrderSheet& sheet, LabelPlaces& places);
     void layNumbers(const OrderSheet& sheet, LabelPlaces& places);
     void layArrows(LabelPlaces& places);
@@ -56,6 +59,7 @@ private:
     std::vector<QPolygonF> rings_;
     std::vector<QPolygonF> swaths_;
     std::vector<Polyline> swathLines_;  ///< the same, for what is placed along them
+    std::vector<int> swathNumbers_;     ///< of these
     struct Way {
         QPolygonF line;
         bool reverse = false;
@@ -69,7 +73,11 @@ private:
     std::vector<Mark> numbers_;
     std::vector<Mark> ringNumbers_;
     std::vector<Mark> findings_;
+    std::vector<Mark> comments_;
     std::vector<Arrow> arrows_;
 };
+
+/// A, B ... Z, AA ...: how comments are called on the map and below it.
+QString commentLetter(std::size_t index);
 
 }  // namespace furrow

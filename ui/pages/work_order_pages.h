@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/project/review.h"
 #include "planner/project/work_order.h"
 #include "planner/sheet/order_sheet.h"
 #include "ui/pages/canvas.h"
@@ -31,7 +32,8 @@ struct OrderedPlan {
     WorkOrder order;
     QString planName;  ///< empty where it has none
     QString season;
-    QString hash;  ///< as planHash says
+    QString hash;                              ///< as planHash says
+    std::vector<ReviewComment> comments = {};  ///< that stand on it
 };
 
 /// What is printed together.

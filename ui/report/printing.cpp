@@ -281,7 +281,8 @@ void Printing::layPages() {
                              .order = plan.order,
                              .planName = fromStd(plan.name),
                              .season = fromStd(plan.season),
-                             .hash = made->hash});
+                             .hash = made->hash,
+                             .comments = plan.review.openComments()});
     }
     pages_ = std::make_shared<const WorkOrderPages>(job);
     setState(State::Ready);
