@@ -9564,6 +9564,10 @@
         <translation>Das ist keine Zahl.</translation>
     </message>
     <message>
+        <source>This is not a whole number.</source>
+        <translation>Das ist keine ganze Zahl.</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>

@@ -9564,6 +9564,10 @@
         <translation>Esto no es un número.</translation>
     </message>
     <message>
+        <source>This is not a whole number.</source>
+        <translation>Esto no es un número entero.</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>

@@ -9564,6 +9564,10 @@
         <translation>Ce n&apos;est pas un nombre.</translation>
     </message>
     <message>
+        <source>This is not a whole number.</source>
+        <translation>Ce n&apos;est pas un nombre entier.</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>

@@ -9564,6 +9564,10 @@
         <translation>Dit is geen getal.</translation>
     </message>
     <message>
+        <source>This is not a whole number.</source>
+        <translation>Dit is geen heel getal.</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>

@@ -9564,6 +9564,10 @@
         <translation>Isto não é um número.</translation>
     </message>
     <message>
+        <source>This is not a whole number.</source>
+        <translation>Isto não é um número inteiro.</translation>
+    </message>
+    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>

@@ -100,7 +100,7 @@ QuantityText::Kind quantityOf(const Parameter& parameter) {
     switch (parameter.kind) {
         case ParameterKind::Length: return QuantityText::Length;
         case ParameterKind::Angle: return QuantityText::Angle;
-        case ParameterKind::Count:
+        case ParameterKind::Count: return QuantityText::Count;
         case ParameterKind::Percent:
         case ParameterKind::Choice:
         case ParameterKind::Flag:

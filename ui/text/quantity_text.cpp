@@ -72,6 +72,7 @@ double siOf(QuantityText::Kind kind) {
         case QuantityText::Speed: return imperial ? kMilePerHourMps : kKilometrePerHourMps;
         case QuantityText::Angle:
         case QuantityText::Duration:
+        case QuantityText::Count:
         case QuantityText::Number: break;
     }
     return 1.0;
@@ -102,7 +103,8 @@ double roundBelow(double value) {
 std::optional<double> QuantityText::parsed(const QString& text, Kind kind) {
     const QString typed = plain(text);
     if (const auto number = parsedNumber(typed)) {
-        return *number * siOf(kind);
+        return kind == Count && *number != std::trunc(*number) ? std::nullopt
+                                                               : std::optional{*number * siOf(kind)};
     }
     static const QRegularExpression withUnit{QStringLiteral(R"(^([+-]?[\d.,]+) ?([^\d\s.,+-][^\s.,+-]*)$)")};
     if (const QRegularExpressionMatch match = withUnit.match(typed); match.hasMatch()) {
@@ -142,6 +144,7 @@ QString QuantityText::unit(Kind kind) const {
         case Speed: return imperial ? tr("mph") : tr("km/h");
         case Angle: return tr("°");
         case Duration: return tr("s");
+        case Count:
         case Number: break;
     }
     return {};
@@ -166,6 +169,7 @@ QString QuantityText::complaint(const QString& text, Kind kind, double from, dou
             case Angle: return tr("This is not an angle. Type it in degrees, like 87.5.");
             case Duration: return tr("This is not a time. Type it like 45 s or 2 min.");
             case Number: return tr("This is not a number.");
+            case Count: return tr("This is not a whole number.");
         }
     }
     // Half a last digit beyond the end is the end, shown rounded.

@@ -16,12 +16,12 @@ class QuantityText : public QObject {
     QML_UNCREATABLE("Display.quantities has them")
 
 public:
-    enum Kind { Number, Length, Area, Speed, Angle, Duration };
+    enum Kind { Number, Length, Area, Speed, Angle, Duration, Count };
     Q_ENUM(Kind)
 
     /// The value that was typed: a number in the user's units, or with units of either system behind it ("7,3
     /// m", "24 ft", "10'6\"", "30 cm", "5 mph", "3 ac", "90°"); decimal point or comma. Nothing where it is
-    /// not that.
+    /// not that; a count is a whole number.
     static std::optional<double> parsed(const QString& text, Kind kind);
 
     Q_INVOKABLE bool isValue(const QString& text, furrow::QuantityText::Kind kind) const {

@@ -68,6 +68,9 @@ private slots:
         refused("seconds of length", "45 m", QuantityText::Duration);
         row("degrees", "87,5°", QuantityText::Angle, true, 87.5);
         row("a plain number", "4", QuantityText::Number, true, 4.0);
+        row("a whole number", "4", QuantityText::Count, true, 4.0);
+        row("a whole number with a comma", "4,0", QuantityText::Count, false, 4.0);
+        refused("part of a pass", "2.7", QuantityText::Count);
         refused("a speed where a length is wanted", "5 mph", QuantityText::Length);
         refused("a length where a speed is wanted", "5 m", QuantityText::Speed);
         refused("a unit where a plain number is wanted", "4 m", QuantityText::Number);
@@ -140,6 +143,10 @@ private slots:
                     .contains(QStringLiteral("7.3 m")));
         QCOMPARE(fields.complaint(QStringLiteral("21"), QuantityText::Length, 0.0, 20.0, 1),
                  QStringLiteral("Type something from 0 m to 20 m."));
+        QCOMPARE(fields.complaint(QStringLiteral("2.7"), QuantityText::Count, 0.0, 50.0, 0),
+                 QStringLiteral("This is not a whole number."));
+        QCOMPARE(fields.complaint(QStringLiteral("100"), QuantityText::Count, 0.0, 50.0, 0),
+                 QStringLiteral("Type something from 0 to 50."));
         use("de", true);
         // 20 m are 65.6 ft.
         QCOMPARE(fields.complaint(QStringLiteral("66"), QuantityText::Length, 0.0, 20.0, 1),
