@@ -3,7 +3,8 @@ import QtQuick.Templates as T
 import Furrow.Text
 
 /// A quantity in the user's unit, in SI units for the one who uses the field. Units of either system, point and comma
-/// are understood; arrow keys and the wheel step; Enter commits. What is refused is said below the field.
+/// are understood; arrow keys and the wheel step; Enter commits; Esc and undo take what is typed back. What is refused
+/// is said beside the field.
 T.TextField {
     id: root
 
@@ -93,26 +94,35 @@ T.TextField {
             root.showValue();
         }
     }
-    Rectangle {
-        objectName: root.objectName + ".complaint"
-        z: 1
-        y: root.height + 4
+    // Over all that stands around the field, and inside of the window.
+    T.Popup {
+        id: bubble
+
+        readonly property real windowHeight: T.Overlay.overlay ? T.Overlay.overlay.height : 0
+
         width: Math.max(root.width, 200)
-        height: told.implicitHeight + 12
-        visible: root.activeFocus && root.wrong
-        radius: Theme.radius
-        color: Theme.failureGround
-        border.width: Theme.hairline
-        border.color: Theme.failure
+        implicitHeight: told.implicitHeight + 12
+        margins: 8
+        closePolicy: T.Popup.NoAutoClose
+        visible: root.activeFocus && root.wrong && root.visible
+        onAboutToShow: y = root.mapToItem(null, 0, root.height).y + 4 + height + margins > windowHeight ? -height - 4 : root.height + 4
+        background: Rectangle {
+            objectName: root.objectName + ".complaint"
+            radius: Theme.radius
+            color: Theme.failureGround
+            border.width: Theme.hairline
+            border.color: Theme.failure
+        }
+        contentItem: Item {
+            BodyText {
+                id: told
 
-        BodyText {
-            id: told
-
-            anchors { left: parent.left; right: parent.right; margins: 8; verticalCenter: parent.verticalCenter }
-            text: root.complaint
-            color: Theme.failure
-            font.pixelSize: Theme.labelSize
-            wrapMode: Text.WordWrap
+                anchors { left: parent.left; right: parent.right; margins: 8; verticalCenter: parent.verticalCenter }
+                text: root.complaint
+                color: Theme.failure
+                font.pixelSize: Theme.labelSize
+                wrapMode: Text.WordWrap
+            }
         }
     }
     WheelHandler {

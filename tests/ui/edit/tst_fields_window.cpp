@@ -1,0 +1,62 @@
+#include "tests/support/patience.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/window/editor_window_test.h"
+
+#include <algorithm>
+
+using namespace furrow;
+using namespace furrow::test;
+
+/// Fields and choices of the panels: what is refused, what is taken back, and where the keys are.
+class TestFieldsWindow : public EditorWindowTest {
+    Q_OBJECT
+
+private slots:
+    void whatIsRefusedCanBeRead_data() {
+        QTest::addColumn<QString>("step");
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<QString>("typed");
+        QTest::newRow("machine") << "step.machine" << "machine.operating_width_m" << "abc";
+        QTest::newRow("the last one") << "step.machine" << "machine.turning_speed_mps" << "-3";
+        QTest::newRow("headland") << "step.headland" << "headland.passes" << "99999";
+        QTest::newRow("part of a pass") << "step.headland" << "headland.passes" << "2.7";
+        QTest::newRow("inspector") << "" << "inspector.number.0" << "abc";
+    }
+    void whatIsRefusedCanBeRead() {
+        QFETCH(QString, step);
+        QFETCH(QString, field);
+        QFETCH(QString, typed);
+        DRAW_FIELD();
+        if (!step.isEmpty()) {
+            click(step);
+        } else {
+            map()->forceActiveFocus();
+            key(Qt::Key_E);
+            QTRY_VERIFY(shows(QStringLiteral("inspector")));
+        }
+        click(field);
+        QTRY_VERIFY(item(field)->hasActiveFocus());
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(typed);
+        const QString bubble = field + QStringLiteral(".complaint");
+        QTRY_VERIFY(shows(bubble));
+        waitForRest(*item(bubble));
+        picture(QStringLiteral("refused_%1").arg(QString::fromUtf8(QTest::currentDataTag())));
+        const QRectF place = item(bubble)->mapRectToScene({{}, item(bubble)->size()});
+        QVERIFY(QRectF(0.0, 0.0, window_->width(), window_->height()).contains(place));
+        QVERIFY(!place.intersects(item(field)->mapRectToScene({{}, item(field)->size()})));
+        // Nothing lies over it.
+        const QImage seen = window_->grabWindow();
+        const auto left = static_cast<int>(place.left()) + 4;
+        for (auto y = static_cast<int>(place.top()) + 8; y < static_cast<int>(place.bottom()) - 8; ++y) {
+            QCOMPARE(seen.pixelColor(left, y), QColor(0xFD, 0xEC, 0xEA));
+        }
+        const std::size_t before = steps();
+        key(Qt::Key_Return);
+        QTRY_VERIFY(!shows(bubble));
+        QCOMPARE(steps(), before);
+    }
+};
+
+FURROW_TEST_WITH(TestFieldsWindow, QGuiApplication);
+#include "tst_fields_window.moc"
