@@ -22,9 +22,13 @@ T.TextField {
     /// Shown instead of a number where the planner chooses it; empty where the value counts.
     property string autoText: ""
     readonly property bool wrong: complaint.length > 0
+    /// The text is not that of the value: undo is about the text.
+    readonly property bool edited: text !== textOf(value, autoText, kind, decimals)
 
     signal committed(newValue: double)
     signal cleared()
+    /// What was typed is given up.
+    signal takenBack()
 
     implicitWidth: 128
     implicitHeight: Theme.controlHeight
@@ -66,7 +70,12 @@ T.TextField {
         }
     }
 
-    onValueChanged: root.showValue()
+    onValueChanged: {
+        const whole = activeFocus && selectedText.length > 0 && selectedText === text;
+        root.showValue();
+        if (whole)
+            selectAll();
+    }
     onAutoTextChanged: root.showValue()
     onDecimalsChanged: root.showValue()
     onKindChanged: root.showValue()
@@ -83,8 +92,16 @@ T.TextField {
     Keys.onUpPressed: root.stepBy(1)
     Keys.onDownPressed: root.stepBy(-1)
     Keys.onEscapePressed: {
-        root.showValue();
+        root.takeBack();
         root.focus = false;
+    }
+    Keys.onPressed: event => {
+        // The field's own undo would go on to texts that were values before.
+        if (root.edited && event.matches(StandardKey.Undo)) {
+            root.takeBack();
+            selectAll();
+            event.accepted = true;
+        }
     }
     Component.onCompleted: showValue()
 
@@ -131,8 +148,15 @@ T.TextField {
         onWheel: event => root.stepBy(event.angleDelta.y > 0 ? 1 : -1)
     }
 
+    function textOf(value: double, autoText: string, kind: int, decimals: int): string {
+        return autoText.length > 0 ? "" : Display.quantities.text(value, kind, decimals);
+    }
     function showValue(): void {
-        root.text = root.autoText.length > 0 ? "" : Display.quantities.text(root.value, root.kind, root.decimals);
+        root.text = root.textOf(root.value, root.autoText, root.kind, root.decimals);
+    }
+    function takeBack(): void {
+        root.showValue();
+        root.takenBack();
     }
     function stepBy(direction: int): void {
         const shown = Display.quantities.isValue(root.text, root.kind) ? Display.quantities.value(root.text, root.kind) : root.value;
@@ -148,7 +172,7 @@ T.TextField {
             return;
         }
         if (root.wrong) {
-            root.showValue();
+            root.takeBack();
             return;
         }
         // A value that only looks as before stays as exact as it is.

@@ -11,6 +11,8 @@ T.TextField {
     /// Whether a text may be committed.
     property var accepts: entered => true
     readonly property bool wrong: !root.accepts(root.text)
+    /// The text is not that of the value: undo is about the text.
+    readonly property bool edited: root.text !== root.value
 
     signal committed(entered: string)
 

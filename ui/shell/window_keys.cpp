@@ -13,9 +13,11 @@ bool isPlainButton(const QQuickItem& item) {
            !item.inherits("QQuickMenuBarItem") && !item.inherits("QQuickItemDelegate");
 }
 
-/// A text field whose text is as it came.
+/// A text field whose text is as it came. Our own fields say that themselves: to Qt, what was typed and taken
+/// over can be taken back.
 bool hasNothingToTakeBack(const QQuickItem& item, const QKeyEvent& key) {
-    return (key.matches(QKeySequence::Undo) && item.property("canUndo") == QVariant{false}) ||
+    return (key.matches(QKeySequence::Undo) &&
+            (item.property("canUndo") == QVariant{false} || item.property("edited") == QVariant{false})) ||
            (key.matches(QKeySequence::Redo) && item.property("canRedo") == QVariant{false});
 }
 

@@ -12,6 +12,37 @@ class TestFieldsWindow : public EditorWindowTest {
     Q_OBJECT
 
 private slots:
+    void undoInAFieldIsThatOfTheWork() {
+        DRAW_FIELD();
+        click(QStringLiteral("step.headland"));
+        const QString field = QStringLiteral("headland.passes");
+        const auto text = [this, &field] { return item(field)->property("text").toString(); };
+        const std::size_t begun = steps();
+        enter(field, QStringLiteral("3"));
+        QTRY_COMPARE(steps(), begun + 1);
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("4"));
+        key(Qt::Key_Return);
+        QTRY_COMPARE(steps(), begun + 2);
+        QVERIFY(item(field)->hasActiveFocus());
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(text(), QStringLiteral("3"));
+        QCOMPARE(session_->document()->history().done, begun + 1);
+        // What is not taken over yet goes alone.
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("17"));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(text(), QStringLiteral("3"));
+        QCOMPARE(session_->document()->history().done, begun + 1);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(session_->document()->history().done, begun);
+        QTRY_COMPARE(text(), QString{});
+        // Leaving the field changes nothing.
+        key(Qt::Key_Tab);
+        QTRY_VERIFY(!item(field)->hasActiveFocus());
+        QCOMPARE(session_->document()->history().done, begun);
+        QCOMPARE(steps(), begun + 2);
+    }
     void whatIsRefusedCanBeRead_data() {
         QTest::addColumn<QString>("step");
         QTest::addColumn<QString>("field");
