@@ -1,3 +1,4 @@
+pragma ComponentBehavior: Bound
 import QtQuick
 import QtPositioning
 import Furrow.Controls
@@ -11,6 +12,7 @@ Rectangle {
     /// How near a traced line is kept to, m.
     property real traceTolerance: 0
     readonly property int needed: editor.sketchNeeded
+    readonly property int points: editor.sketchCount
     readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : editor.tool === FieldEditor.Split ? qsTr("Click where the split line begins") : qsTr("Click where the AB line begins")
 
     objectName: "drawingHint"
@@ -20,59 +22,93 @@ Rectangle {
     color: Theme.panel
     border.width: Theme.hairline
     border.color: Theme.line
+    // What was typed was for the point before.
+    onPointsChanged: {
+        length.follow();
+        bearing.follow();
+    }
+
+    /// Of the next edge: follows the pointer until something is typed.
+    component WayField: NumberField {
+        id: field
+
+        required property double pointed
+        property bool typed: false
+
+        from: 0
+        onTextEdited: field.typed = true
+        onTakenBack: field.follow()
+        onCleared: field.follow()
+        onCommitted: newValue => {
+            field.typed = true;
+            field.value = newValue;
+        }
+        Keys.onReturnPressed: root.addTyped()
+        Keys.onEnterPressed: root.addTyped()
+
+        Binding on value {
+            value: field.pointed
+            when: !field.typed
+            restoreMode: Binding.RestoreNone
+        }
+
+        function follow(): void {
+            field.typed = false;
+            field.showValue();
+            if (field.activeFocus)
+                field.selectAll();
+        }
+    }
 
     SoftShadow { radius: root.radius }
     Row {
         id: row
 
-        anchors { left: parent.left; leftMargin: 16; verticalCenter: parent.verticalCenter }
+        anchors { left: parent.left; leftMargin: 16 }
+        y: 9
+        height: Theme.controlHeight
         spacing: 10
 
         BodyText {
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.editor.sketchCount === 0
+            visible: root.points === 0
             text: root.editor.freehand && root.editor.tool !== FieldEditor.Gate ? qsTr("Press and trace it with the pointer, to %1").arg(Display.quantities.text(root.traceTolerance, QuantityText.Length, 1) + " " + Display.quantities.unit(QuantityText.Length)) : root.firstText
         }
-        NumberField {
+        WayField {
             id: length
 
             objectName: "sketch.length"
-            visible: root.editor.sketchCount > 0
+            visible: root.points > 0
             width: 108
             name: qsTr("Length of the next edge")
             kind: QuantityText.Length
-            from: 0
             to: 100000
             decimals: 2
-            value: activeFocus ? value : root.editor.sketchLengthM
-            onCommitted: newValue => value = newValue
-            Keys.onReturnPressed: root.addTyped()
+            pointed: root.editor.sketchLengthM
         }
-        NumberField {
+        WayField {
             id: bearing
 
             objectName: "sketch.bearing"
-            visible: root.editor.sketchCount > 0
+            visible: root.points > 0
             width: 100
             name: qsTr("Direction of the next edge")
             kind: QuantityText.Angle
-            from: 0
             to: 360
             decimals: 1
-            value: activeFocus ? value : root.editor.sketchBearingDeg
-            Keys.onReturnPressed: root.addTyped()
+            pointed: root.editor.sketchBearingDeg
         }
         SmallButton {
             objectName: "sketch.add"
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.editor.sketchCount > 0
+            visible: root.points > 0
             text: qsTr("Add")
             onClicked: root.addTyped()
         }
         CheckRow {
             objectName: "sketch.freehand"
             anchors.verticalCenter: parent.verticalCenter
-            visible: root.editor.sketchCount === 0 && root.editor.tool !== FieldEditor.Gate
+            visible: root.points === 0 && root.editor.tool !== FieldEditor.Gate
             text: qsTr("By hand")
             checked: root.editor.freehand
             onToggled: root.editor.freehand = checked
@@ -87,7 +123,7 @@ Rectangle {
             visible: root.editor.tool !== FieldEditor.Gate
             text: root.editor.sketchOpen ? qsTr("Finish") : qsTr("Close boundary")
             primary: true
-            enabled: root.editor.sketchCount >= root.needed
+            enabled: root.points >= root.needed
             onClicked: root.editor.finishSketch()
         }
     }

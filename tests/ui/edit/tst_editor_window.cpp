@@ -260,6 +260,41 @@ private slots:
         QTRY_VERIFY(session_->farm()->hasField());
         ready();
     }
+    /// A length that was typed is for one point only.
+    void theLengthFollowsThePointerAgain() {
+        const auto follows = [this](QPoint at) {
+            QTest::mouseMove(window_, at);
+            QTRY_VERIFY(editor()->sketchLengthM() > 1.0);
+            QTRY_COMPARE(item(QStringLiteral("sketch.length"))->property("text").toString(),
+                         QString::number(editor()->sketchLengthM(), 'f', 2));
+        };
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+        key(Qt::Key_B);
+        clickAt(middle() + QPoint{-200, -150});
+        follows(middle() + QPoint{-100, -120});
+        enter(QStringLiteral("sketch.length"), QStringLiteral("200"));
+        QTRY_COMPARE(editor()->sketchCount(), 2);
+        follows(middle() + QPoint{50, 20});
+        // Typed and left, it holds until there is a point.
+        click(QStringLiteral("sketch.length"));
+        key(Qt::Key_A, Qt::ControlModifier);
+        type(QStringLiteral("150"));
+        key(Qt::Key_Tab);
+        QTRY_COMPARE(item(QStringLiteral("sketch.length"))->property("text").toString(),
+                     QStringLiteral("150.00"));
+        QTest::mouseMove(window_, middle() + QPoint{80, 60});
+        QTRY_VERIFY(editor()->sketchLengthM() > 1.0);
+        QCOMPARE(item(QStringLiteral("sketch.length"))->property("text").toString(),
+                 QStringLiteral("150.00"));
+        clickAt(middle() + QPoint{120, 100});
+        QTRY_COMPARE(editor()->sketchCount(), 3);
+        follows(middle() + QPoint{-60, 140});
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!editor()->isDrawing());
+        key(Qt::Key_B);
+        clickAt(middle() + QPoint{-150, -100});
+        follows(middle() + QPoint{90, 40});
+    }
     void commandsAreFoundByName() {
         DRAW_FIELD();
         key(Qt::Key_K, Qt::ControlModifier);
