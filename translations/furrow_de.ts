@@ -95,6 +95,10 @@
         <translation>Rückgängig: %1</translation>
     </message>
     <message>
+        <source>Draw a point</source>
+        <translation>Punkt zeichnen</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -7520,6 +7524,10 @@
     <message>
         <source>Press and trace it with the pointer, to %1</source>
         <translation>Drücken und mit dem Zeiger nachfahren, auf %1 genau</translation>
+    </message>
+    <message>
+        <source>Backspace or Ctrl+Z takes the last point back</source>
+        <translation>Rücktaste oder Strg+Z nimmt den letzten Punkt zurück</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,10 @@
         <translation>Deshacer: %1</translation>
     </message>
     <message>
+        <source>Draw a point</source>
+        <translation>Dibujar un punto</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
@@ -7520,6 +7524,10 @@
     <message>
         <source>Press and trace it with the pointer, to %1</source>
         <translation>Pulse y trace con el puntero, con %1 de precisión</translation>
+    </message>
+    <message>
+        <source>Backspace or Ctrl+Z takes the last point back</source>
+        <translation>Retroceso o Ctrl+Z quita el último punto</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,10 @@
         <translation>Annuler : %1</translation>
     </message>
     <message>
+        <source>Draw a point</source>
+        <translation>Dessiner un point</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
@@ -7520,6 +7524,10 @@
     <message>
         <source>Press and trace it with the pointer, to %1</source>
         <translation>Appuyez et tracez avec le pointeur, à %1 près</translation>
+    </message>
+    <message>
+        <source>Backspace or Ctrl+Z takes the last point back</source>
+        <translation>Retour arrière ou Ctrl+Z retire le dernier point</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,10 @@
         <translation>Ongedaan maken: %1</translation>
     </message>
     <message>
+        <source>Draw a point</source>
+        <translation>Punt tekenen</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Ongedaan maken</translation>
     </message>
@@ -7520,6 +7524,10 @@
     <message>
         <source>Press and trace it with the pointer, to %1</source>
         <translation>Druk en trek het met de aanwijzer na, tot op %1</translation>
+    </message>
+    <message>
+        <source>Backspace or Ctrl+Z takes the last point back</source>
+        <translation>Backspace of Ctrl+Z neemt het laatste punt terug</translation>
     </message>
 </context>
 <context>

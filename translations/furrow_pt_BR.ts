@@ -95,6 +95,10 @@
         <translation>Desfazer: %1</translation>
     </message>
     <message>
+        <source>Draw a point</source>
+        <translation>Desenhar um ponto</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Desfazer</translation>
     </message>
@@ -7520,6 +7524,10 @@
     <message>
         <source>Press and trace it with the pointer, to %1</source>
         <translation>Pressione e trace com o ponteiro, com precisão de %1</translation>
+    </message>
+    <message>
+        <source>Backspace or Ctrl+Z takes the last point back</source>
+        <translation>Backspace ou Ctrl+Z desfaz o último ponto</translation>
     </message>
 </context>
 <context>

@@ -177,11 +177,13 @@ QtObject {
         Command {
             objectName: "command.undo"
             group: root.editGroup
-            text: root.document.canUndo ? qsTr("Undo: %1").arg(root.document.undoText) : qsTr("Undo")
+            // What is being drawn is not in the document yet.
+            readonly property bool ofSketch: root.page.editor.sketchCount > 0
+            text: ofSketch ? qsTr("Undo: %1").arg(qsTr("Draw a point")) : root.document.canUndo ? qsTr("Undo: %1").arg(root.document.undoText) : qsTr("Undo")
             name: qsTr("Undo")
             shortcut: "Ctrl+Z"
-            enabled: root.document.canUndo
-            onTriggered: root.document.undo()
+            enabled: ofSketch || root.document.canUndo
+            onTriggered: ofSketch ? root.page.editor.removeLastPoint() : root.document.undo()
         },
         Command {
             objectName: "command.redo"

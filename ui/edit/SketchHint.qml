@@ -16,8 +16,8 @@ Rectangle {
     readonly property string firstText: editor.tool === FieldEditor.Field ? qsTr("Click the first corner of the field") : editor.tool === FieldEditor.Hole ? qsTr("Click the first corner of the hole") : editor.tool === FieldEditor.Obstacle ? qsTr("Click the first corner of the obstacle") : editor.tool === FieldEditor.Gate ? qsTr("Click on the boundary where the gate is") : editor.tool === FieldEditor.Split ? qsTr("Click where the split line begins") : qsTr("Click where the AB line begins")
 
     objectName: "drawingHint"
-    width: row.width + 28
-    height: 52
+    width: Math.max(row.width, takingBack.visible ? takingBack.implicitWidth : 0) + 28
+    height: takingBack.visible ? 72 : 52
     radius: Theme.cardRadius
     color: Theme.panel
     border.width: Theme.hairline
@@ -126,6 +126,15 @@ Rectangle {
             enabled: root.points >= root.needed
             onClicked: root.editor.finishSketch()
         }
+    }
+
+    Caption {
+        id: takingBack
+
+        objectName: "sketch.takingBack"
+        anchors { left: parent.left; leftMargin: 16; bottom: parent.bottom; bottomMargin: 9 }
+        visible: root.points > 0
+        text: qsTr("Backspace or Ctrl+Z takes the last point back")
     }
 
     function addTyped(): void {

@@ -122,7 +122,7 @@ Rectangle {
             iconName: "undo"
             hint: root.commands.named("undo").text
             hintBelow: true
-            enabled: root.session.document.canUndo
+            enabled: root.commands.named("undo").enabled
             onClicked: root.commands.named("undo").trigger()
         }
         ToolIconButton {

@@ -260,6 +260,25 @@ private slots:
         QTRY_VERIFY(session_->farm()->hasField());
         ready();
     }
+    /// While something is drawn, undo is about its points.
+    void undoTakesTheLastPointBack() {
+        camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
+        key(Qt::Key_B);
+        QTRY_VERIFY(shows(QStringLiteral("drawingHint")));
+        QVERIFY(!shows(QStringLiteral("sketch.takingBack")));
+        clickAt(middle() + QPoint{-200, -150});
+        clickAt(middle() + QPoint{200, -150});
+        QTRY_COMPARE(editor()->sketchCount(), 2);
+        QTRY_VERIFY(shows(QStringLiteral("sketch.takingBack")));
+        picture(QStringLiteral("drawing_taking_back"));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(editor()->sketchCount(), 1);
+        QTRY_VERIFY(item(QStringLiteral("undoButton"))->isEnabled());
+        click(QStringLiteral("undoButton"));
+        QTRY_COMPARE(editor()->sketchCount(), 0);
+        QVERIFY(editor()->isDrawing());
+        QVERIFY(!item(QStringLiteral("undoButton"))->isEnabled());
+    }
     /// A length that was typed is for one point only.
     void theLengthFollowsThePointerAgain() {
         const auto follows = [this](QPoint at) {
