@@ -386,11 +386,15 @@ ApplicationWindow {
 
             anchors.centerIn: parent
             // Beside the tour. Where there is no room for both, the tour's first task is the same.
-            readonly property bool hasRoom: tour.takenWidth === 0 || parent.width >= width + tour.takenWidth + 16 + 76
-            // And beside the cards, where there is room.
+            readonly property bool besideTour: tour.takenWidth === 0 || parent.width >= width + tour.takenWidth + 16 + 76
+            readonly property real roomTo: parent.width - (tour.takenWidth > 0 ? tour.takenWidth + 16 : 0)
+            // Beside the cards of what happened, or above them; what does not fit there scrolls.
             readonly property real noticesEnd: notices.height > 0 ? notices.x + notices.width + 16 : 0
-            readonly property real besideNotices: noticesEnd + width <= parent.width ? Math.max(0, noticesEnd - (parent.width - width) / 2) : 0
-            anchors.horizontalCenterOffset: tour.takenWidth === 0 ? besideNotices : hasRoom ? Math.min(0, (parent.width - width) / 2 - tour.takenWidth - 16) : 0
+            readonly property bool besideNotices: noticesEnd + width <= roomTo
+            readonly property real roomBelow: notices.height > 0 && !besideNotices ? notices.y : parent.height
+            readonly property bool hasRoom: besideTour && roomBelow >= Math.min(implicitHeight, 200) + 16
+            x: Math.max(besideNotices ? noticesEnd : 0, Math.min((parent.width - width) / 2, roomTo - width))
+            y: (roomBelow - height) / 2
             width: Math.min(implicitWidth, parent.width - 16)
             height: Math.min(implicitHeight, parent.height - 16)
             visible: hasRoom && !away && (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
@@ -556,7 +560,8 @@ ApplicationWindow {
 
         // The list of fields to choose from lies where the tour does.
         visible: running && root.session.planning.state !== PlanState.Choosing
-        anchors { left: parent.left; right: beside.left; top: parent.top; bottom: driveBar.visible ? driveBar.top : parent.bottom }
+        // Above the bar of what is drawn: its buttons are needed.
+        anchors { left: parent.left; right: beside.left; top: parent.top; bottom: driveBar.visible ? driveBar.top : parent.bottom; bottomMargin: sketchHint.visible ? page.height - sketchHint.y - 8 : 0 }
         z: 10
         hasField: root.session.farm.hasField
         machineName: root.session.planning.machine.name

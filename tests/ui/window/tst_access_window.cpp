@@ -3,7 +3,9 @@
 #include "tests/ui/window/window_test.h"
 
 #include <QAccessible>
+#include <QFile>
 #include <QSet>
+#include <QTemporaryDir>
 
 using namespace furrow;
 using namespace furrow::test;
@@ -138,6 +140,60 @@ private slots:
             QVERIFY(!placeOf("outlineSteps").intersects(placeOf("tour.card")));
             QVERIFY(placeOf("mapPage").contains(placeOf("outlineSteps")));
             QVERIFY(placeOf("outlineSteps").contains(placeOf("outlineSteps.close")));
+        }
+    }
+    /// The bar of what is drawn has all buttons in view, also beside the tour.
+    void theTourLeavesTheDrawingBarFree() {
+        click(QStringLiteral("searchButton"));
+        type(QStringLiteral("tour"));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(item(QStringLiteral("tour"))->isVisible());
+        const auto placeOf = [this](const char* name) {
+            const QQuickItem& of = *item(QLatin1String{name});
+            return QRectF{of.mapToScene({}), of.size()};
+        };
+        map()->forceActiveFocus();
+        key(Qt::Key_B);
+        QTRY_VERIFY(item(QStringLiteral("drawingHint"))->isVisible());
+        for (const QSize size : {QSize{1440, 900}, {1366, 768}, {1000, 700}}) {
+            window_->resize(size);
+            QTRY_COMPARE(window_->size(), size);
+            for (const int points : {0, 1}) {
+                while (editor()->sketchCount() < points) {
+                    clickAt(map()->mapToScene({100.0, 400.0}).toPoint());
+                }
+                waitForRest(*item(QStringLiteral("drawingHint")));
+                waitForRest(*item(QStringLiteral("tour.card")));
+                picture(QStringLiteral("tour-drawing-%1-%2").arg(size.width()).arg(points));
+                QVERIFY(item(QStringLiteral("tour.card"))->isVisible());
+                QVERIFY(!placeOf("drawingHint").intersects(placeOf("tour.card")));
+                QVERIFY(placeOf("mapPage").contains(placeOf("drawingHint")));
+                QVERIFY(placeOf("mapPage").contains(placeOf("tour.card")));
+            }
+            editor()->removeLastPoint();
+        }
+    }
+    /// What to do without a field and what happened stand beside or above each other.
+    void theFirstCardLeavesTheNoticesFree() {
+        const QTemporaryDir folder;
+        QFile file{folder.filePath(QStringLiteral("broken.mbtiles"))};
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no tiles") > 0);
+        file.close();
+        session_->imagery()->add({file.fileName()});
+        QTRY_VERIFY(item(QStringLiteral("imageryNotice"))->isVisible());
+        const auto placeOf = [this](const char* name) {
+            const QQuickItem& of = *item(QLatin1String{name});
+            return QRectF{of.mapToScene({}), of.size()};
+        };
+        for (const QSize size : {QSize{1440, 900}, {1280, 800}, {1200, 700}, {1000, 700}, {900, 600}}) {
+            window_->resize(size);
+            QTRY_COMPARE(window_->size(), size);
+            waitForRest(*item(QStringLiteral("emptyState")));
+            picture(QStringLiteral("empty-notice-%1").arg(size.width()));
+            QVERIFY(item(QStringLiteral("emptyState"))->isVisible());
+            QVERIFY(!placeOf("emptyState").intersects(placeOf("imageryNotice")));
+            QVERIFY(placeOf("mapPage").contains(placeOf("emptyState")));
+            QVERIFY(placeOf("mapPage").contains(placeOf("imageryNotice")));
         }
     }
     void theTourIsTakenAndLeft() {
