@@ -139,23 +139,40 @@ ParameterModel::ParameterModel(QObject* parent) : QAbstractListModel{parent} {
 
 void ParameterModel::show(const std::vector<const Parameter*>& parameters, const Settings& settings,
                           const Plan* plan) {
-    const bool same = parameters == parameters_;
     auto used = usedNumbers(parameters, plan);
     const double widthM = plan != nullptr ? plan->request.machine.operatingWidth().si() : widthM_;
-    if (same && settings == settings_ && used == used_ && widthM == widthM_) {
+    if (parameters == parameters_ && settings == settings_ && used == used_ && widthM == widthM_) {
         return;
     }
-    if (!same) {
-        beginResetModel();
-    }
-    parameters_ = parameters;
     settings_ = settings;
     used_ = std::move(used);
     widthM_ = widthM;
-    if (!same) {
-        endResetModel();
-    } else {
-        refresh();
+    showRows(parameters);
+    refresh();
+}
+
+/// Rows that stay keep their fields, and those the keyboard.
+void ParameterModel::showRows(const std::vector<const Parameter*>& parameters) {
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        if (std::ranges::find(parameters, &at(row)) == parameters.end()) {
+            beginRemoveRows({}, row, row);
+            parameters_.erase(parameters_.begin() + row);
+            endRemoveRows();
+        }
+    }
+    for (int row = 0; row < static_cast<int>(parameters.size()); ++row) {
+        const Parameter* const wanted = parameters[static_cast<std::size_t>(row)];
+        const auto here = std::ranges::find(parameters_, wanted);
+        const auto before = static_cast<int>(here - parameters_.begin());
+        if (here == parameters_.end()) {
+            beginInsertRows({}, row, row);
+            parameters_.insert(parameters_.begin() + row, wanted);
+            endInsertRows();
+        } else if (before != row) {
+            beginMoveRows({}, before, before, {}, row);
+            std::rotate(parameters_.begin() + row, here, here + 1);
+            endMoveRows();
+        }
     }
 }
 

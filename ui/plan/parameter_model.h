@@ -76,6 +76,7 @@ private:
     const Parameter& at(int row) const { return *parameters_[static_cast<std::size_t>(row)]; }
     QVariant value(const Parameter& parameter, int role) const;
     Pick pickOf(const Parameter& parameter) const;
+    void showRows(const std::vector<const Parameter*>& parameters);
     void refresh();
 
     std::vector<const Parameter*> parameters_;

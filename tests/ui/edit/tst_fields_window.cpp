@@ -87,6 +87,35 @@ private slots:
         QTRY_VERIFY(!shows(bubble));
         QCOMPARE(steps(), before);
     }
+    void choosingKeepsTheKeys_data() {
+        QTest::addColumn<QString>("step");
+        QTest::addColumn<QString>("field");
+        QTest::newRow("machine") << "step.machine" << "machine.library";
+        QTest::newRow("headland") << "step.headland" << "headland.method";
+        QTest::newRow("heading") << "step.swaths" << "swaths.method";
+        QTest::newRow("blocks") << "step.decomposition" << "decomposition.method";
+        QTest::newRow("order") << "step.route" << "route.method";
+        QTest::newRow("turns") << "step.path" << "path.method";
+    }
+    void choosingKeepsTheKeys() {
+        QFETCH(QString, step);
+        QFETCH(QString, field);
+        DRAW_FIELD();
+        click(step);
+        bringIntoView(field);
+        item(field)->forceActiveFocus(Qt::TabFocusReason);
+        const int first = item(field)->property("currentIndex").toInt();
+        const int count = item(field)->property("count").toInt();
+        for (int chosen = first + 1; chosen < std::min(first + 3, count); ++chosen) {
+            key(Qt::Key_Down);
+            QTRY_COMPARE(item(field)->property("currentIndex").toInt(), chosen);
+            QVERIFY(item(field)->hasActiveFocus());
+            QTRY_VERIFY(session_->planning()->state() != PlanState::Planning);
+            nextFrame();
+            QVERIFY(item(field)->hasActiveFocus());
+            QCOMPARE(item(field)->property("currentIndex").toInt(), chosen);
+        }
+    }
 };
 
 FURROW_TEST_WITH(TestFieldsWindow, QGuiApplication);
