@@ -7418,6 +7418,10 @@
         <translation>Änderungen wünschen</translation>
     </message>
     <message>
+        <source>Send back…</source>
+        <translation>Zurückschicken …</translation>
+    </message>
+    <message>
         <source>Send on…</source>
         <translation>Weitergeben …</translation>
     </message>

@@ -7418,6 +7418,10 @@
         <translation>Pedir cambios</translation>
     </message>
     <message>
+        <source>Send back…</source>
+        <translation>Devolver…</translation>
+    </message>
+    <message>
         <source>Send on…</source>
         <translation>Reenviar…</translation>
     </message>

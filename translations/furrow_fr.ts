@@ -7418,6 +7418,10 @@
         <translation>Demander des changements</translation>
     </message>
     <message>
+        <source>Send back…</source>
+        <translation>Retourner…</translation>
+    </message>
+    <message>
         <source>Send on…</source>
         <translation>Renvoyer…</translation>
     </message>

@@ -7418,6 +7418,10 @@
         <translation>Wijzigingen vragen</translation>
     </message>
     <message>
+        <source>Send back…</source>
+        <translation>Terugsturen…</translation>
+    </message>
+    <message>
         <source>Send on…</source>
         <translation>Doorsturen…</translation>
     </message>

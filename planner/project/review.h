@@ -39,6 +39,8 @@ struct ReviewVerdict {
 struct Review {
     /// Set when the plan is sent for review. What comes back belongs here if it has the same.
     std::string id;
+    /// It came as a review file: whoever has it is asked, and sends it back.
+    bool received = false;
     std::vector<ReviewComment> comments;  ///< in the order in which they came
     ReviewVerdict verdict;
     std::string others;

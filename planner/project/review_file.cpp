@@ -84,6 +84,7 @@ Project forReview(const Project& project) {
     if (field != nullptr) {
         ProjectField alone = *field;
         alone.plans = {project.plan()};
+        alone.plans.front().review.received = true;
         sent.fields = {std::make_shared<const ProjectField>(std::move(alone))};
     }
     return sent;

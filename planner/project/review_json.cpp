@@ -62,7 +62,11 @@ ReviewComment commentFrom(const OrderedJson& json) {
 }  // namespace
 
 OrderedJson reviewJson(const Review& review) {
-    OrderedJson json{{"id", review.id}, {"comments", OrderedJson::array()}};
+    OrderedJson json{{"id", review.id}};
+    if (review.received) {
+        json["received"] = true;
+    }
+    json["comments"] = OrderedJson::array();
     for (const ReviewComment& comment : review.comments) {
         json["comments"].push_back(commentJson(comment));
     }
@@ -78,9 +82,10 @@ OrderedJson reviewJson(const Review& review) {
 
 Review reviewFrom(const OrderedJson& json) {
     Review review{.id = json.value("id", ""),
+                  .received = json.value("received", false),
                   .comments = {},
                   .verdict = {},
-                  .others = otherMembers(json, {"id", "comments", "verdict"})};
+                  .others = otherMembers(json, {"id", "received", "comments", "verdict"})};
     for (const OrderedJson& comment : json.value("comments", OrderedJson::array())) {
         review.comments.push_back(commentFrom(comment));
     }

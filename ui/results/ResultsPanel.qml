@@ -224,6 +224,10 @@ Rectangle {
                 objectName: "reviewSection"
                 width: parent.width
                 review: root.review
+                onTold: where => {
+                    column.forceLayout();
+                    flick.bringIntoView(where);
+                }
             }
         }
     }

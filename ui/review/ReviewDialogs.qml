@@ -12,6 +12,7 @@ Item {
     property url opened
     property var openIt: null
     signal takenIn()
+    signal sent()
 
     function send(): void {
         sendDialog.selectedFile = root.review.suggestedFile();
@@ -107,7 +108,10 @@ Item {
         fileMode: FileChooser.SaveFile
         defaultSuffix: "furrow"
         nameFilters: [qsTr("Review files (%1)").arg("*.furrow *.geojson")]
-        onAccepted: root.review.send(selectedFile)
+        onAccepted: {
+            root.review.send(selectedFile);
+            root.sent();
+        }
     }
     FileChooser {
         id: takeInDialog

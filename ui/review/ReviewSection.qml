@@ -14,10 +14,14 @@ Column {
     property bool writing: false
     /// The comment whose text is being changed; none where a new one is written.
     property int editedRow: -1
-    // Its rows are those of another plan.
     Connections {
         target: root.review
 
+        function onMessageChanged(): void {
+            if (root.review.message.length > 0)
+                Qt.callLater(root.tell);
+        }
+        // Its rows are those of another plan.
         function onReviewChanged(): void {
             if (root.editedRow >= root.review.count)
                 root.writing = false;
@@ -28,6 +32,8 @@ Column {
     signal placeRequested()
     signal sendRequested()
     signal takeInRequested()
+    /// Something is said here that is to be seen.
+    signal told(where: Item)
 
     spacing: 8
 
@@ -169,7 +175,7 @@ Column {
         }
         PushButton {
             objectName: "review.send"
-            text: root.review.sent ? qsTr("Send on…") : qsTr("Send for review…")
+            text: root.review.received ? qsTr("Send back…") : root.review.sent ? qsTr("Send on…") : qsTr("Send for review…")
             enabled: root.review.refusal.length === 0 && !root.review.busy
             onClicked: root.sendRequested()
         }
@@ -182,8 +188,11 @@ Column {
         }
     }
     Rectangle {
+        id: message
+
+        objectName: "review.told"
         width: parent.width
-        height: told.height + 20
+        height: words.height + 20
         visible: root.review.message.length > 0
         radius: Theme.radius
         color: root.review.failed ? Theme.failureGround : Theme.softAccent
@@ -193,7 +202,7 @@ Column {
         Accessible.name: root.review.message
 
         BodyText {
-            id: told
+            id: words
 
             objectName: "review.message"
             anchors { left: parent.left; right: close.left; leftMargin: 12; rightMargin: 4 }
@@ -211,6 +220,10 @@ Column {
         }
     }
 
+    function tell(): void {
+        root.forceLayout();
+        root.told(message);
+    }
     function write(place: var): void {
         root.begin(place, -1, "");
     }

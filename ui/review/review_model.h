@@ -31,6 +31,8 @@ class ReviewModel : public QAbstractListModel {
     Q_PROPERTY(bool verdictIsOld READ verdictIsOld NOTIFY reviewChanged FINAL)
     /// It was sent for review, or is one that was sent.
     Q_PROPERTY(bool sent READ isSent NOTIFY reviewChanged FINAL)
+    /// It came as a review file, and goes back.
+    Q_PROPERTY(bool received READ isReceived NOTIFY reviewChanged FINAL)
     /// Who writes here; remembered.
     Q_PROPERTY(QString author READ author WRITE setAuthor NOTIFY authorChanged FINAL)
     /// Why nothing can be sent; empty where it can.
@@ -64,6 +66,7 @@ public:
     QString verdictText() const;
     bool verdictIsOld() const;
     bool isSent() const { return !review().id.empty(); }
+    bool isReceived() const { return review().received; }
     QString author() const { return author_; }
     void setAuthor(const QString& author);
     QString refusal() const;

@@ -514,6 +514,8 @@ ApplicationWindow {
         id: reviewDialogs
 
         review: root.session.review
+        // What became of it is said there.
+        onSent: beside.showResults()
         onTakenIn: {
             beside.showResults();
             beside.results.showReview();

@@ -161,6 +161,7 @@ void TestReview::reviewFileIsAProjectAndAMap() {
     QCOMPARE(read->project.fields.size(), 1U);
     QCOMPARE(read->project.field()->plans.size(), 1U);
     QCOMPARE(read->project.plan().name, std::string{"Second"});
+    QVERIFY(read->project.plan().review.received);
     // What a program for maps sees.
     const auto json = nlohmann::json::parse(reviewText(project, *planOf(project)));
     QCOMPARE(json.at("type"), "FeatureCollection");
@@ -188,6 +189,8 @@ void TestReview::comesBackToItsPlan() {
     QVERIFY(!taken->planDiffers);
     // The plan that was sent is current, and has what was said; the other one has nothing.
     QCOMPARE(taken->project.plan().name, std::string{"Second"});
+    QVERIFY(review.received && !taken->project.plan().review.received);
+    review.received = false;
     QVERIFY(taken->project.plan().review == review);
     QVERIFY(taken->project.field()->plans[0].review.empty());
     const auto again = takenReview(taken->project, sent);

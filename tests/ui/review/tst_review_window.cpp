@@ -20,6 +20,7 @@ private slots:
     void cleanup();
     void commentsAtAPlaceAndOnAll();
     void sentReviewedAndTakenIn();
+    void whatBecameOfItIsSeen();
     void aCommentIsEdited();
     void anOpenedReviewIsOffered();
     void aForeignFileIsRefused();
@@ -103,6 +104,7 @@ void TestReviewWindow::sentReviewedAndTakenIn() {
     waitForMessage();
     QVERIFY2(!review().hasFailed(), qPrintable(review().message()));
     QVERIFY(review().isSent());
+    QCOMPARE(item("review.send")->property("text").toString(), QString{"Send on…"});
     const History farmers = session_->document()->history();
 
     // The contractor opens the file as any project.
@@ -111,6 +113,7 @@ void TestReviewWindow::sentReviewedAndTakenIn() {
     session_->document()->begin(History{.base = std::make_shared<const Project>(std::move(opened->project))});
     QTRY_VERIFY(isFinished(session_->planning()->state()));
     QCOMPARE(review().rowCount(), 1);
+    QCOMPARE(item("review.send")->property("text").toString(), QString{"Send back…"});
     review().setAuthor("Contractor");
     click("review.atPlace");
     QTRY_VERIFY(item("commentPins")->property("placing").toBool());
@@ -134,6 +137,7 @@ void TestReviewWindow::sentReviewedAndTakenIn() {
     QCOMPARE(review().rowCount(), 2);
     QCOMPARE(review().verdict(), ReviewModel::State::Approved);
     QVERIFY(!review().verdictIsOld());
+    QCOMPARE(item("review.send")->property("text").toString(), QString{"Send on…"});
     picture("review_taken_in");
     // Once more gives nothing more.
     const QString undo = session_->document()->undoText();
@@ -145,6 +149,24 @@ void TestReviewWindow::sentReviewedAndTakenIn() {
     // One step back, and it never came.
     key(Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE(review().rowCount(), 1);
+}
+
+void TestReviewWindow::whatBecameOfItIsSeen() {
+    const QTemporaryDir folder;
+    window_->resize(1440, 700);
+    for (const char* text : {"Wet here in spring", "Start at the road", "Mind the pole"}) {
+        click("review.onPlan");
+        comment(text);
+    }
+    bringIntoView("review.send");
+    review().send(QUrl::fromLocalFile(folder.filePath("sent.furrow")));
+    waitForMessage();
+    const auto isInView = [this] {
+        const QRectF panel = item("resultsPanel")->mapRectToScene({{}, item("resultsPanel")->size()});
+        return panel.contains(item("review.told")->mapRectToScene({{}, item("review.told")->size()}));
+    };
+    QTRY_VERIFY(isInView());
+    picture("review_sent");
 }
 
 void TestReviewWindow::aCommentIsEdited() {
