@@ -10,6 +10,8 @@ Rectangle {
     property real zoomLevel: 3
     property real room: 600
     property bool open: false
+    /// Esc is for something else that is open.
+    property bool escapeTaken: false
     readonly property alias layers: layers
     signal areaRequested(row: int)
     signal fileRequested()
@@ -25,7 +27,12 @@ Rectangle {
     border.color: Theme.line
     Accessible.role: Accessible.Pane
     Accessible.name: qsTr("Layers")
-    Keys.onEscapePressed: root.open = false
+
+    Shortcut {
+        enabled: root.open && !root.escapeTaken
+        sequences: [StandardKey.Cancel]
+        onActivated: root.open = false
+    }
 
     component Title: BodyText {
         font.pixelSize: Theme.titleSize

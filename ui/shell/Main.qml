@@ -384,7 +384,6 @@ ApplicationWindow {
             readonly property bool hasField: root.session.farm.hasField
             onHasFieldChanged: away = false
 
-            anchors.centerIn: parent
             // Beside the tour. Where there is no room for both, the tour's first task is the same.
             readonly property bool besideTour: tour.takenWidth === 0 || parent.width >= width + tour.takenWidth + 16 + 76
             readonly property real roomTo: parent.width - (tour.takenWidth > 0 ? tour.takenWidth + 16 : 0)
@@ -396,7 +395,7 @@ ApplicationWindow {
             x: Math.max(besideNotices ? noticesEnd : 0, Math.min((parent.width - width) / 2, roomTo - width))
             y: (roomBelow - height) / 2
             width: Math.min(implicitWidth, parent.width - 16)
-            height: Math.min(implicitHeight, parent.height - 16)
+            height: Math.min(implicitHeight, roomBelow - 16)
             visible: hasRoom && !away && (root.session.planning.state === PlanState.Empty || root.session.planning.state === PlanState.Failed && !root.session.farm.hasField) && !page.editor.drawing && !beside.fromTrackOpen && root.session.imagery.count === 0
             opener: root.session.opener
             recent: root.session.recent
@@ -419,6 +418,7 @@ ApplicationWindow {
             room: page.height - 72
             imagery: root.session.imagery
             zoomLevel: page.camera.zoomLevel
+            escapeTaken: beside.otherOpen || root.farmOpen || root.steppingCells
             onAreaRequested: row => page.fitArea(root.session.imagery.areaOf(row), true)
             onFileRequested: imageryDialogs.addFiles()
             onFolderRequested: imageryDialogs.addTileFolder()

@@ -196,6 +196,25 @@ private slots:
             QVERIFY(placeOf("mapPage").contains(placeOf("imageryNotice")));
         }
     }
+    void escapeClosesTheLayers() {
+        openSample(QStringLiteral("Home Field"));
+        for (const char* place : {"editLayer", "step.headland", "layersTool"}) {
+            item(QLatin1String{place})->forceActiveFocus(Qt::TabFocusReason);
+            key(Qt::Key_L, Qt::ControlModifier);
+            QTRY_VERIFY(item(QStringLiteral("layersPanel"))->isVisible());
+            key(Qt::Key_Escape);
+            QTRY_VERIFY2(!item(QStringLiteral("layersPanel"))->isVisible(), place);
+        }
+        // One after the other: the guide first.
+        key(Qt::Key_L, Qt::ControlModifier);
+        key(Qt::Key_F1);
+        QTRY_VERIFY(item(QStringLiteral("guidePanel"))->isVisible());
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!item(QStringLiteral("guidePanel"))->isVisible());
+        QVERIFY(item(QStringLiteral("layersPanel"))->isVisible());
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!item(QStringLiteral("layersPanel"))->isVisible());
+    }
     void theTourIsTakenAndLeft() {
         click(QStringLiteral("searchButton"));
         type(QStringLiteral("tour"));
