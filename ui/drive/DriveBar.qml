@@ -12,7 +12,11 @@ Rectangle {
     property bool follows: false
     /// With room for little.
     property bool slim: false
-    readonly property bool narrow: width < 680
+    /// The texts stand below the slider: beside it they would leave it too little.
+    readonly property bool narrow: width < 850
+    /// And less of everything.
+    readonly property bool tight: width < 520
+    readonly property bool tiny: width < 320
     signal hideRequested()
 
     objectName: "driveBar"
@@ -34,7 +38,7 @@ Rectangle {
         id: play
 
         objectName: "drive.play"
-        x: 16
+        x: root.tight ? 8 : 16
         anchors.verticalCenter: parent.verticalCenter
         width: root.slim ? 36 : 40
         height: width
@@ -62,8 +66,9 @@ Rectangle {
         id: now
 
         objectName: "drive.time"
-        anchors { left: play.right; leftMargin: 14; verticalCenter: slider.verticalCenter }
-        width: 58
+        anchors { left: play.right; leftMargin: root.tight ? 0 : 14; verticalCenter: slider.verticalCenter }
+        width: root.tight ? 0 : 58
+        visible: !root.tight
         text: root.drive.timeText
         font.features: { "tnum": 1 }
     }
@@ -71,8 +76,8 @@ Rectangle {
         id: slider
 
         objectName: "drive.slider"
-        anchors { left: now.right; right: whole.left; leftMargin: 8; rightMargin: 12 }
-        y: root.narrow ? (parent.height - height) / 2 - 10 : (parent.height - height) / 2
+        anchors { left: now.right; right: root.tight ? pace.left : whole.left; leftMargin: 8; rightMargin: root.tight ? 8 : 12 }
+        y: (parent.height - height - (root.narrow ? below.height : 0)) / 2
         name: qsTr("Moment of the drive")
         enabled: root.drive.available
         from: 0
@@ -108,6 +113,7 @@ Rectangle {
 
         objectName: "drive.whole"
         anchors { right: pace.left; rightMargin: 14; verticalCenter: slider.verticalCenter }
+        visible: !root.tight
         text: root.drive.durationText
         color: Theme.muted
         font.features: { "tnum": 1 }
@@ -116,8 +122,9 @@ Rectangle {
         id: pace
 
         objectName: "drive.pace"
-        anchors { right: follow.left; rightMargin: 6; verticalCenter: parent.verticalCenter }
-        width: 46
+        anchors { right: follow.left; rightMargin: root.tiny ? 0 : 6; verticalCenter: parent.verticalCenter }
+        width: root.tiny ? 0 : 46
+        visible: !root.tiny
         height: Theme.controlHeight
         focusPolicy: Qt.StrongFocus
         enabled: root.drive.available
@@ -148,6 +155,9 @@ Rectangle {
 
         objectName: "drive.follow"
         anchors { right: texts.visible ? texts.left : close.left; rightMargin: texts.visible ? 12 : 0; verticalCenter: parent.verticalCenter }
+        // The menu has it, too.
+        width: root.tight ? 0 : implicitWidth
+        visible: !root.tight
         iconName: "follow"
         hint: root.follows ? qsTr("Let the map rest") : qsTr("Follow the machine")
         checked: root.follows
@@ -157,7 +167,7 @@ Rectangle {
         id: texts
 
         anchors { right: close.left; rightMargin: 4; verticalCenter: parent.verticalCenter }
-        width: Math.max(250, Math.min(360, root.width * 0.42))
+        width: Math.min(360, root.width * 0.38)
         visible: !root.narrow
         spacing: 1
 
@@ -178,11 +188,27 @@ Rectangle {
             font.features: { "tnum": 1 }
         }
     }
-    Caption {
+    Column {
+        id: below
+
         anchors { left: slider.left; right: pace.left; rightMargin: 8; top: slider.bottom }
         visible: root.narrow
-        text: root.drive.stateText
-        elide: Text.ElideRight
+
+        Caption {
+            objectName: "drive.stateBelow"
+            width: parent.width
+            text: root.tight ? [root.drive.timeText, root.drive.stateText].join(" · ") : root.drive.stateText
+            elide: Text.ElideRight
+            font.features: { "tnum": 1 }
+        }
+        Caption {
+            objectName: "drive.figuresBelow"
+            width: parent.width
+            visible: !root.slim
+            text: root.drive.figuresText
+            elide: Text.ElideRight
+            font.features: { "tnum": 1 }
+        }
     }
     ToolIconButton {
         id: close

@@ -25,6 +25,8 @@ private slots:
     void stopsWithThePlan();
     void everyMachineIsDrawn_data();
     void everyMachineIsDrawn();
+    void sliderHasRoom_data();
+    void sliderHasRoom();
     void barIsHiddenAndRemembered();
     void otherThemes_data();
     void otherThemes();
@@ -190,6 +192,46 @@ void TestDriveWindow::everyMachineIsDrawn() {
     const QPoint middle = middleOf(*map());
     QVERIFY(there.copy(QRect{middle - QPoint{40, 40}, QSize{80, 80}}) !=
             gone.copy(QRect{middle - QPoint{40, 40}, QSize{80, 80}}));
+}
+
+void TestDriveWindow::sliderHasRoom_data() {
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("1920") << QSize{1920, 1080};
+    QTest::newRow("1440") << QSize{1440, 900};
+    QTest::newRow("1366") << QSize{1366, 768};
+    QTest::newRow("1280, low") << QSize{1280, 660};
+    QTest::newRow("1000, both panels") << QSize{1000, 700};
+}
+
+void TestDriveWindow::sliderHasRoom() {
+    QFETCH(QSize, size);
+    window_->resize(size);
+    QTRY_COMPARE(window_->size(), size);
+    nextFrame();
+    if (!item("resultsPanel")->isVisible()) {
+        key(Qt::Key_F9);
+    }
+    if (!item("stepsPanel")->isVisible()) {
+        key(Qt::Key_F7);
+    }
+    QTRY_VERIFY(item("resultsPanel")->isVisible() && item("stepsPanel")->isVisible());
+    drive().setTime(drive().duration() / 3.0);
+    waitForRest(*item("drive.slider"));
+    picture(QString{"drive_room_%1"}.arg(size.width()));
+    const auto placeOf = [this](const char* name) {
+        return item(name)->mapRectToScene({{}, item(name)->size()});
+    };
+    QVERIFY2(item("drive.slider")->width() >= 160.0,
+             qPrintable(QString::number(item("drive.slider")->width())));
+    for (const char* other :
+         {"drive.play", "drive.time", "drive.whole", "drive.pace", "drive.follow", "drive.state",
+          "drive.figures", "drive.stateBelow", "drive.figuresBelow", "drive.hide"}) {
+        if (item(other)->isVisible()) {
+            QVERIFY2(!placeOf(other).intersects(placeOf("drive.slider")), other);
+            QVERIFY2(placeOf("driveBar").contains(placeOf(other)), other);
+        }
+    }
+    QVERIFY(item("drive.state")->isVisible() || item("drive.stateBelow")->isVisible());
 }
 
 void TestDriveWindow::barIsHiddenAndRemembered() {
