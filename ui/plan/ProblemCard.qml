@@ -9,6 +9,8 @@ Rectangle {
     required property Problem problem
     required property Planning planning
     required property bool hasField
+    /// Where there is no plan, the card says why.
+    readonly property bool closable: planning.state !== PlanState.Failed
     signal placeRequested()
     signal openRequested()
 
@@ -56,6 +58,7 @@ Rectangle {
             wrapMode: Text.Wrap
         }
         BodyText {
+            objectName: "problemRemedy"
             width: parent.width
             visible: text.length > 0
             text: root.problem.remedy
@@ -63,6 +66,7 @@ Rectangle {
             lineHeight: 1.15
         }
         Row {
+            visible: root.problem.place.isValid || root.closable || !root.hasField
             topPadding: 4
             spacing: 8
 
@@ -74,8 +78,7 @@ Rectangle {
             }
             PushButton {
                 objectName: "problemCloseButton"
-                // Where there is no plan, the card says why.
-                visible: root.planning.state !== PlanState.Failed
+                visible: root.closable
                 text: qsTr("Close")
                 onClicked: root.problem.dismiss()
             }

@@ -12,6 +12,7 @@ class TestFieldsWindow : public EditorWindowTest {
     Q_OBJECT
 
 private slots:
+    /// In a field with a number: first what was typed goes, then what was done.
     void undoInAFieldIsThatOfTheWork() {
         DRAW_FIELD();
         click(QStringLiteral("step.headland"));
@@ -42,6 +43,18 @@ private slots:
         QTRY_VERIFY(!item(field)->hasActiveFocus());
         QCOMPARE(session_->document()->history().done, begun);
         QCOMPARE(steps(), begun + 2);
+    }
+    void aCardWithoutButtonsEndsWithItsText() {
+        DRAW_FIELD();
+        click(QStringLiteral("step.route"));
+        enter(QStringLiteral("route.first"), QStringLiteral("999"));
+        QTRY_VERIFY(shows(QStringLiteral("problemCard")));
+        waitForRest(*item(QStringLiteral("problemCard")));
+        picture(QStringLiteral("problem_without_buttons"));
+        const QQuickItem& card = *item(QStringLiteral("problemCard"));
+        const QQuickItem& remedy = *item(QStringLiteral("problemRemedy"));
+        QVERIFY(remedy.isVisible());
+        QCOMPARE(card.height() - remedy.mapToItem(&card, {0.0, remedy.height()}).y(), 16.0);
     }
     void whatIsRefusedCanBeRead_data() {
         QTest::addColumn<QString>("step");
