@@ -30,8 +30,8 @@ const Format& formatAt(int row) {
 
 }  // namespace
 
-ExportModel::ExportModel(Document& document, QObject* parent)
-    : QAbstractListModel{parent}, document_{document} {
+ExportModel::ExportModel(Document& document, const MadePlans& made, QObject* parent)
+    : QAbstractListModel{parent}, document_{document}, made_{made} {
     for (const Format& format : planFormats()) {
         const auto standard = standardPlanFormats();
         checked_.push_back(std::ranges::find(standard, format.id) != standard.end());
@@ -76,7 +76,7 @@ void ExportModel::setChosen(const QStringList& chosen) {
 }
 
 std::vector<FieldToExport> ExportModel::fields() const {
-    return fieldsToExport(*document_.project(), chosen_, title_.plan);
+    return fieldsToExport(*document_.project(), chosen_, title_.plan, made_);
 }
 
 QString ExportModel::heading() const {

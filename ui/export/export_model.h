@@ -56,7 +56,7 @@ public:
     Q_ENUM(State)
     enum Role { NameRole = Qt::UserRole + 1, HintRole, CheckedRole };
 
-    explicit ExportModel(Document& document, QObject* parent = nullptr);
+    ExportModel(Document& document, const MadePlans& made, QObject* parent = nullptr);
 
     /// What is to be written; null for nothing, and the state says why. What was being written of another
     /// plan is stopped.
@@ -99,7 +99,7 @@ signals:
     void planChanged();
     void stateChanged();
     void progressChanged();
-    /// Fields were planned on the way out.
+    /// Fields were planned on the way out, or got advice.
     void planned(const std::vector<furrow::FieldsExported::Made>& plans);
 
 private:
@@ -109,6 +109,7 @@ private:
     void setState(State state, LazyText message = {}, LazyText remedy = {});
 
     Document& document_;
+    const MadePlans& made_;
     PlanTitle title_;
     QStringList chosen_;
     PlanState planState_ = PlanState::Empty;

@@ -1,7 +1,5 @@
 #include "ui/export/field_to_export.h"
 
-#include "planner/plan/plan.h"
-#include "planner/project/field_tasks.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
 
@@ -26,7 +24,7 @@ bool isPlanOf(const Plan& plan, const ProjectField& field, const FieldPlan& want
 }  // namespace
 
 std::vector<FieldToExport> fieldsToExport(const Project& project, const QStringList& ids,
-                                          const std::shared_ptr<const Plan>& plan) {
+                                          const std::shared_ptr<const Plan>& plan, const MadePlans& made) {
     std::vector<FieldToExport> fields;
     for (std::size_t i = 0; i < project.fields.size(); ++i) {
         const ProjectField& field = *project.fields[i];
@@ -35,7 +33,10 @@ std::vector<FieldToExport> fieldsToExport(const Project& project, const QStringL
         }
         const FieldPlan& wanted = project.planOf(i);
         const bool isThere = i == project.currentField && plan != nullptr && isPlanOf(*plan, field, wanted);
-        fields.push_back({.field = project.fields[i], .wanted = wanted, .plan = isThere ? plan : nullptr});
+        fields.push_back(
+            {.field = project.fields[i],
+             .wanted = wanted,
+             .made = isThere ? MadePlan{.plan = plan, .advised = true} : made.find(field, wanted)});
     }
     return fields;
 }
@@ -85,12 +86,10 @@ Result<FieldsExported> exportEach(
         const double begin = static_cast<double>(i) / count;
         const double end = static_cast<double>(i + 1) / count;
         const double planned = begin + 0.8 * (end - begin);
-        const auto plan = field.plan != nullptr
-                              ? Result<std::shared_ptr<const Plan>>{field.plan}
-                              : advisedPlanOfSource(*field.field->source, field.wanted.machine,
-                                                    field.wanted.settings, job.part(begin, planned));
-        if (plan && field.plan == nullptr) {
-            exported.made.push_back({.of = field, .result = resultOf(**plan)});
+        const auto plan = advisedPlan(field.made, *field.field->source, field.wanted.machine,
+                                      field.wanted.settings, job.part(begin, planned));
+        if (plan && *plan != field.made.plan) {
+            exported.made.push_back({.of = field, .plan = *plan});
         }
         const Result<void> done =
             plan ? handOn(**plan, job.part(planned, end)) : std::unexpected(plan.error());

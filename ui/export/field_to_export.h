@@ -2,8 +2,8 @@
 
 #include "planner/core/result.h"
 #include "planner/jobs/job.h"
-#include "planner/project/plan_results.h"
 #include "planner/project/project.h"
+#include "ui/plan/made_plans.h"
 
 #include <QStringList>
 
@@ -14,13 +14,11 @@
 
 namespace furrow {
 
-struct Plan;
-
 /// A field that goes out with others: what its plan is made from, and the plan where there is one of that.
 struct FieldToExport {
     std::shared_ptr<const ProjectField> field;
     FieldPlan wanted;
-    std::shared_ptr<const Plan> plan;
+    MadePlan made;
 
     const std::string& name() const { return field->source->name; }
 };
@@ -28,8 +26,9 @@ struct FieldToExport {
 /// Fields of a project by their ids, in its order, with the plans that are worked on now.
 ///
 /// @param plan  of the current field and plan, if it is finished
+/// @param made  plans that were made before
 std::vector<FieldToExport> fieldsToExport(const Project& project, const QStringList& ids,
-                                          const std::shared_ptr<const Plan>& plan);
+                                          const std::shared_ptr<const Plan>& plan, const MadePlans& made);
 
 /// "Home Field, Long Acre and 3 more"
 QString namesOf(const std::vector<FieldToExport>& fields);
@@ -41,10 +40,10 @@ struct FieldsExported {
         Error error;
     };
 
-    /// A plan that was made on the way.
+    /// A plan that was made on the way, with advice.
     struct Made {
         FieldToExport of;
-        PlanResult result;
+        std::shared_ptr<const Plan> plan;
     };
 
     /// Those that are in the files.

@@ -165,6 +165,7 @@ void FarmList::setFilter(const QString& filter) {
     arrange();
     endResetModel();
     emit rowsChanged();
+    emit totalsChanged();
 }
 
 void FarmList::sortBy(Column column) {
@@ -226,9 +227,14 @@ int FarmList::rowOfCurrent() const {
 }
 
 std::vector<std::size_t> FarmList::chosen() const {
+    if (selected_.empty()) {
+        std::vector<std::size_t> fields = order_;
+        std::ranges::sort(fields);
+        return fields;
+    }
     std::vector<std::size_t> fields;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-        if (selected_.empty() || selected_.contains(entries_[i].field->id)) {
+        if (selected_.contains(entries_[i].field->id)) {
             fields.push_back(i);
         }
     }
@@ -343,7 +349,7 @@ QString FarmList::totals() const {
     if (all == 0) {
         return {};
     }
-    QStringList parts{selected_.empty()
+    QStringList parts{selected_.empty() && filter_.trimmed().isEmpty()
                           ? tr("%n field(s)", nullptr, all)
                           : tr("%1 of %n field(s)", nullptr, static_cast<int>(entries_.size())).arg(all),
                       areaText(area)};

@@ -28,9 +28,9 @@ class FarmList : public QAbstractListModel {
     Q_PROPERTY(Column sortedBy READ sortedBy NOTIFY rowsChanged FINAL)
     Q_PROPERTY(bool descending READ isDescending NOTIFY rowsChanged FINAL)
     Q_PROPERTY(int selectedCount READ selectedCount NOTIFY totalsChanged FINAL)
-    /// Of the selected fields; of all where none is selected.
+    /// Of the chosen fields: the selected ones, where none is selected those in the list.
     Q_PROPERTY(QString totals READ totals NOTIFY totalsChanged FINAL)
-    /// Selected fields that have no plan of their present inputs.
+    /// Chosen fields that have no plan of their present inputs.
     Q_PROPERTY(int toPlan READ toPlan NOTIFY totalsChanged FINAL)
 
 public:
@@ -77,9 +77,9 @@ public:
     /// Works on the field of a row.
     Q_INVOKABLE void open(int row);
     Q_INVOKABLE int rowOfCurrent() const;
-    /// Plans the selected fields, or all where none is selected.
+    /// Plans the chosen fields.
     Q_INVOKABLE void planSelected();
-    /// The machine and the settings of the current plan for the selected fields.
+    /// The machine and the settings of the current plan for the chosen fields.
     Q_INVOKABLE void planLikeCurrent();
     Q_INVOKABLE void addPlans(const QString& name, const QString& season);
     /// Around all fields; not valid without one.
@@ -87,9 +87,10 @@ public:
     /// The field at a place on the map; -1 for none.
     Q_INVOKABLE int rowAt(const QGeoCoordinate& place) const;
 
-    /// The ids of the selected fields, or of all where none is selected.
+    /// The ids of the chosen fields.
     Q_INVOKABLE QStringList chosenIds() const;
-    /// Of the selected fields, or of all where none is selected; by index in the project.
+    /// The selected fields; where none is selected, those that the filter leaves. By index in the project,
+    /// in its order.
     std::vector<std::size_t> chosen() const;
     /// Of a row.
     const ProjectField& field(int row) const;

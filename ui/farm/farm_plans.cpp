@@ -28,7 +28,8 @@ void write(const QString& file, const std::string& text) {
 
 }  // namespace
 
-FarmPlans::FarmPlans(Document& document, QObject* parent) : QObject{parent}, document_{document} {
+FarmPlans::FarmPlans(Document& document, MadePlans& made, QObject* parent)
+    : QObject{parent}, document_{document}, made_{made} {
     for (Worker& worker : workers_) {
         connect(&worker.runner, &JobRunner::progressChanged, this, &FarmPlans::progressChanged);
     }
@@ -82,13 +83,14 @@ void FarmPlans::keep(const std::shared_ptr<const Plan>& plan) {
     }
     kept_ = plan;
     keptPlace_ = place;
-    store(planKey(*field->source, project.plan()), place, furrow::resultOf(*plan));
+    store(planKey(*field->source, project.plan()), place, {.plan = plan, .advised = true});
     save();
     emit resultsChanged();
 }
 
-void FarmPlans::keep(const ProjectField& field, const FieldPlan& plan, const PlanResult& result) {
-    store(planKey(*field.source, plan), placeOf(field, plan), result);
+void FarmPlans::keep(const ProjectField& field, const FieldPlan& wanted,
+                     const std::shared_ptr<const Plan>& plan) {
+    store(planKey(*field.source, wanted), placeOf(field, wanted), {.plan = plan, .advised = true});
     save();
     emit resultsChanged();
 }
@@ -143,31 +145,29 @@ void FarmPlans::start(Worker& worker, std::size_t index) {
     worker.runner.submit([this, &worker, source = field.source, machine = plan.machine,
                           settings = plan.settings, key = planKey(*field.source, plan),
                           place = placeOf(field, plan)](const JobContext& job) -> JobRunner::Delivery {
-        auto result = planOfSource(*source, machine, settings, job).transform([](const auto& made) {
-            return furrow::resultOf(*made);
-        });
-        return
-            [this, &worker, key, place, result = std::move(result)] { finish(worker, key, place, result); };
+        auto made = planOfSource(*source, machine, settings, job);
+        return [this, &worker, key, place, made = std::move(made)] { finish(worker, key, place, made); };
     });
 }
 
 void FarmPlans::finish(Worker& worker, const std::string& key, const std::string& place,
-                       const Result<PlanResult>& result) {
+                       const Result<std::shared_ptr<const Plan>>& plan) {
     worker.field.clear();
-    if (result) {
-        ++(result->drivable() ? drivable_ : withFindings_);
-        store(key, place, *result);
-    } else if (result.error().code != ErrorCode::Cancelled) {
+    if (plan) {
+        ++((*plan)->drivable() ? drivable_ : withFindings_);
+        store(key, place, {.plan = *plan, .advised = (*plan)->drivable()});
+    } else if (plan.error().code != ErrorCode::Cancelled) {
         ++failed_;
-        errors_.insert_or_assign(key, result.error());
+        errors_.insert_or_assign(key, plan.error());
     }
     goOn();
 }
 
-void FarmPlans::store(const std::string& key, const std::string& place, const PlanResult& result) {
+void FarmPlans::store(const std::string& key, const std::string& place, const MadePlan& made) {
     errors_.erase(key);
     planned_.insert(place);
-    results_.keep(key, result, place);
+    results_.keep(key, furrow::resultOf(*made.plan), place);
+    made_.keep(key, made);
 }
 
 void FarmPlans::save() {

@@ -2,6 +2,7 @@
 
 #include "planner/project/plan_results.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/plan/made_plans.h"
 #include "ui/project/document.h"
 #include "ui/text/message_text.h"
 
@@ -33,7 +34,8 @@ class FarmPlans : public QObject {
     Q_PROPERTY(double progress READ progress NOTIFY progressChanged FINAL)
 
 public:
-    explicit FarmPlans(Document& document, QObject* parent = nullptr);
+    /// @param made  where the plans themselves go
+    FarmPlans(Document& document, MadePlans& made, QObject* parent = nullptr);
 
     /// Where results are kept; without a place they last as long as the program.
     void keepIn(const QString& file);
@@ -50,8 +52,8 @@ public:
 
     /// A plan that was made in the window, of the field and plan that are current.
     void keep(const std::shared_ptr<const Plan>& plan);
-    /// What a plan came to that was made elsewhere, of a field of this project.
-    void keep(const ProjectField& field, const FieldPlan& plan, const PlanResult& result);
+    /// A plan that was made elsewhere, with advice, of a field of this project.
+    void keep(const ProjectField& field, const FieldPlan& wanted, const std::shared_ptr<const Plan>& plan);
     /// Plans those of these fields that have no plan of their present inputs; by index in the project.
     void plan(const std::vector<std::size_t>& fields);
     Q_INVOKABLE void cancel();
@@ -81,12 +83,13 @@ private:
     void goOn();
     void start(Worker& worker, std::size_t field);
     void finish(Worker& worker, const std::string& key, const std::string& place,
-                const Result<PlanResult>& result);
-    void store(const std::string& key, const std::string& place, const PlanResult& result);
+                const Result<std::shared_ptr<const Plan>>& plan);
+    void store(const std::string& key, const std::string& place, const MadePlan& made);
     void save();
     std::size_t underWay() const;
 
     Document& document_;
+    MadePlans& made_;
     QString file_;
     PlanResults results_;
     std::map<std::string, Error> errors_;

@@ -1,7 +1,6 @@
 #include "ui/report/printing.h"
 
 #include "planner/io/files/atomic_files.h"
-#include "planner/project/field_tasks.h"
 #include "planner/sheet/order_sheet.h"
 #include "ui/pages/page_files.h"
 #include "ui/text/display.h"
@@ -35,20 +34,6 @@ PaperSize usualPaper() {
     return own == QPageSize::Letter ? PaperSize::Letter : PaperSize::A4;
 }
 
-struct Task {
-    std::shared_ptr<const FieldSource> source;
-    Machine machine;
-    Settings settings;
-    std::shared_ptr<const Plan> plan;  ///< where there is one already
-};
-
-Result<std::shared_ptr<const Plan>> plannedFor(const Task& task, const JobContext& job) {
-    if (task.plan != nullptr) {
-        return task.plan;
-    }
-    return advisedPlanOfSource(*task.source, task.machine, task.settings, job);
-}
-
 QString withoutUnsafe(QString name) {
     static const QRegularExpression unsafe{QStringLiteral(R"([\\/:*?"<>|])")};
     return name.replace(unsafe, QStringLiteral("_")).simplified();
@@ -61,7 +46,8 @@ Result<void> writtenTo(const std::filesystem::path& file, const QByteArray& byte
 
 }  // namespace
 
-Printing::Printing(Document& document, QObject* parent) : QObject{parent}, document_{document} {
+Printing::Printing(Document& document, const MadePlans& plans, QObject* parent)
+    : QObject{parent}, document_{document}, plans_{plans} {
     const QSettings settings;
     paper_ = settings.contains(kPaperKey)
                  ? (settings.value(kPaperKey).toString() == QLatin1String{"letter"} ? PaperSize::Letter
@@ -200,18 +186,19 @@ void Printing::update() {
         return;
     }
     const Project& project = *document_.project();
-    const PlanRequest& planned = title_.plan->request;
-    if (planned.machine != project.plan().machine || planned.settings != project.plan().settings) {
+    const PlanRequest& request = title_.plan->request;
+    if (request.machine != project.plan().machine || request.settings != project.plan().settings) {
         return;  // the plan of what was changed just now is on its way
     }
-    std::vector<Task> missing;
+    std::vector<FieldToExport> missing;
     for (std::size_t i = 0; i < project.fields.size(); ++i) {
         const FieldPlan& plan = project.planOf(i);
         if (isPrinted(i) && madeOf(*project.fields[i], plan) == nullptr) {
-            missing.push_back({.source = project.fields[i]->source,
-                               .machine = plan.machine,
-                               .settings = plan.settings,
-                               .plan = i == project.currentField ? title_.plan : nullptr});
+            missing.push_back({.field = project.fields[i],
+                               .wanted = plan,
+                               .made = i == project.currentField
+                                           ? MadePlan{.plan = title_.plan, .advised = true}
+                                           : plans_.find(*project.fields[i], plan)});
         }
     }
     if (missing.empty()) {
@@ -222,16 +209,22 @@ void Printing::update() {
     setState(State::Making);
     runner_.submit([this, missing = std::move(missing)](const JobContext& job) -> JobRunner::Delivery {
         auto made = std::make_shared<std::vector<Made>>();
+        auto plans = std::make_shared<std::vector<FieldsExported::Made>>();
         for (std::size_t i = 0; i < missing.size(); ++i) {
-            const Task& task = missing[i];
+            const FieldToExport& task = missing[i];
             const auto count = static_cast<double>(missing.size());
-            auto sheet =
-                plannedFor(task, job.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count))
-                    .and_then([](const auto& plan) { return orderSheet(*plan); });
+            const auto plan =
+                advisedPlan(task.made, *task.field->source, task.wanted.machine, task.wanted.settings,
+                            job.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+            if (plan && *plan != task.made.plan) {
+                plans->push_back({.of = task, .plan = *plan});
+            }
+            auto sheet = plan.and_then([](const auto& there) { return orderSheet(*there); });
             if (!sheet) {
                 Error error = sheet.error();
-                error.what = furrow::message("{}: {}", task.source->name, error.what);
-                return [this, made, error] {
+                error.what = furrow::message("{}: {}", task.name(), error.what);
+                return [this, made, plans, error] {
+                    emit planned(*plans);
                     keep(std::move(*made));
                     forgetPages();
                     fail(error);
@@ -239,13 +232,14 @@ void Printing::update() {
             }
             const QString hash = planHash(sheet->pathFile);
             sheet->pathFile = {};
-            made->push_back({.source = task.source,
-                             .machine = task.machine,
-                             .settings = task.settings,
+            made->push_back({.source = task.field->source,
+                             .machine = task.wanted.machine,
+                             .settings = task.wanted.settings,
                              .sheet = std::make_shared<const OrderSheet>(*std::move(sheet)),
                              .hash = hash});
         }
-        return [this, made] {
+        return [this, made, plans] {
+            emit planned(*plans);
             keep(std::move(*made));
             layPages();
         };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/export/field_to_export.h"
 #include "ui/export/plan_title.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/pages/work_order_pages.h"
@@ -62,7 +63,8 @@ public:
     };
     Q_ENUM(State)
 
-    explicit Printing(Document& document, QObject* parent = nullptr);
+    /// @param plans  that were made before
+    Printing(Document& document, const MadePlans& plans, QObject* parent = nullptr);
 
     /// What is to be printed; null for nothing, and the state says why.
     void setPlan(const PlanTitle& title, PlanState state);
@@ -109,6 +111,8 @@ signals:
     void pagesChanged();
     void stateChanged();
     void progressChanged();
+    /// Fields were planned for the pages, or got advice.
+    void planned(const std::vector<furrow::FieldsExported::Made>& plans);
 
 private:
     struct Made {
@@ -134,6 +138,7 @@ private:
     void setState(State state, LazyText message = {}, LazyText remedy = {});
 
     Document& document_;
+    const MadePlans& plans_;
     OrderModel order_{document_};
     PlanTitle title_;
     PlanState planState_ = PlanState::Empty;

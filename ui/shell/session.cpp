@@ -12,11 +12,13 @@ Session::Session(QObject* parent) : QObject{parent} {
     connect(&shown_, &ShownPlan::planChanged, this, &Session::showResults);
     connect(&planning_, &Planning::stateChanged, this, &Session::offerExport);
     connect(&findings_, &FindingsModel::changeRequested, &planning_, &Planning::apply);
-    connect(&exporter_, &ExportModel::planned, this, [this](const auto& plans) {
+    const auto keepPlans = [this](const std::vector<FieldsExported::Made>& plans) {
         for (const FieldsExported::Made& made : plans) {
-            farmPlans_.keep(*made.of.field, made.of.wanted, made.result);
+            farmPlans_.keep(*made.of.field, made.of.wanted, made.plan);
         }
-    });
+    };
+    connect(&exporter_, &ExportModel::planned, this, keepPlans);
+    connect(&printing_, &Printing::planned, this, keepPlans);
     connect(&Display::instance(), &Display::changed, this, &Session::showResults);
     showResults();
     offerExport();

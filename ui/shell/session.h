@@ -10,6 +10,7 @@
 #include "ui/farm/farm_plans.h"
 #include "ui/layers/imagery_model.h"
 #include "ui/map/shown_plan.h"
+#include "ui/plan/made_plans.h"
 #include "ui/plan/planning.h"
 #include "ui/project/document.h"
 #include "ui/project/farm_model.h"
@@ -96,7 +97,8 @@ private:
     Document document_;
     ProjectFiles files_{document_};
     FarmModel farm_{document_};
-    FarmPlans farmPlans_{document_};
+    MadePlans madePlans_;
+    FarmPlans farmPlans_{document_, madePlans_};
     FarmList farmList_{document_, farmPlans_};
     ImageryModel imagery_{document_};
     RecentFiles recent_;
@@ -113,8 +115,8 @@ private:
     DrivenTrack driven_{shown_};
     FieldFromTrack fieldFromTrack_{document_, opener_, shown_};
     ReviewModel review_{document_};
-    ExportModel exporter_{document_};
-    Printing printing_{document_};
+    ExportModel exporter_{document_, madePlans_};
+    Printing printing_{document_, madePlans_};
     TroubleReport trouble_{document_, shown_};
 };
 

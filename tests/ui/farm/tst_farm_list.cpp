@@ -25,7 +25,8 @@ class TestFarmList : public QObject {
             document.begin(History{.base = std::make_shared<const Project>(std::move(project))});
         }
         Document document;
-        FarmPlans plans{document};
+        MadePlans made;
+        FarmPlans plans{document, made};
         FarmList list{document, plans};
         QAbstractItemModelTester tester{&list};
     };
@@ -92,6 +93,57 @@ private slots:
         QCOMPARE(farm.list.selectedCount(), 5);
         farm.list.selectNone();
         QCOMPARE(farm.list.selectedCount(), 0);
+    }
+
+    void ofTheFieldsThatAreShown() {
+        Farm farm{farmOf(12)};
+        QSignalSpy totals{&farm.list, &FarmList::totalsChanged};
+        farm.list.setFilter("Field 1");
+        QCOMPARE(totals.size(), 1);
+        QCOMPARE(farm.list.chosen(), (std::vector<std::size_t>{0, 9, 10, 11}));
+        QCOMPARE(farm.list.toPlan(), 4);
+        // 1 + 1.9 + 2 + 2.1 ha.
+        QVERIFY2(farm.list.totals().startsWith("4 of 12 fields · 7.0 ha"), qPrintable(farm.list.totals()));
+        farm.list.sortBy(FarmList::Area);
+        farm.list.sortBy(FarmList::Area);
+        QCOMPARE(farm.list.chosenIds(), (QStringList{"field-1", "field-10", "field-11", "field-12"}));
+        // What is selected is meant, whether it is shown or not.
+        farm.list.pick(0, FarmList::Only);
+        farm.list.setFilter("Field 3");
+        QCOMPARE(farm.list.chosenIds(), QStringList{"field-12"});
+        farm.list.selectNone();
+        QCOMPARE(farm.list.chosenIds(), QStringList{"field-3"});
+        farm.list.setFilter({});
+        QCOMPARE(farm.list.toPlan(), 12);
+    }
+
+    /// What was planned is there for paper and files, as long as it has room and nothing changed.
+    void plansAreKept() {
+        Farm farm{farmOf(3)};
+        farm.list.planSelected();
+        QTRY_VERIFY_WITH_TIMEOUT(!farm.plans.isBusy(), kPatienceMs);
+        const auto project = farm.document.project();
+        const MadePlan first = farm.made.find(*project->fields[0], project->planOf(0));
+        QVERIFY(first && first.advised);
+        FieldPlan other = project->planOf(0);
+        other.machine = machineLibrary().back();
+        QVERIFY(!farm.made.find(*project->fields[0], other));
+        QVERIFY(!farm.made.find(*project->fields[1], project->planOf(0)) ||
+                farm.made.find(*project->fields[1], project->planOf(0)).plan != first.plan);
+        std::size_t samples = 0;
+        for (const PathSegment& segment : first.plan->path.segments) {
+            samples += segment.samples.size();
+        }
+        MadePlans few{2 * samples};
+        few.keep("a", first);
+        few.keep("b", first);
+        few.keep("a", first);
+        QCOMPARE(few.size(), std::size_t{2});
+        few.keep("c", first);
+        QCOMPARE(few.size(), std::size_t{2});
+        MadePlans none{1};
+        none.keep("a", first);
+        QCOMPARE(none.size(), std::size_t{0});
     }
 
     void foundOnTheMap() {

@@ -20,6 +20,8 @@ private slots:
     void cleanup();
     void listAndMap();
     void plannedStoppedAndGoneOnWith();
+    void filteredFieldsAreMeant();
+    void notPlannedAgain();
     void exportedTogether();
     void exportStopped();
     void exportedToAStick();
@@ -136,6 +138,57 @@ void TestFarmWindow::plannedStoppedAndGoneOnWith() {
     QCOMPARE(session_->printing()->fieldCount(), 2);
     QVERIFY(session_->printing()->isWholeFarm());
     picture("farm_print");
+}
+
+void TestFarmWindow::filteredFieldsAreMeant() {
+    key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(item("farmPanel")->isVisible());
+    click("farm.filter");
+    type("field 2");
+    QCOMPARE(list().count(), 12);
+    QTRY_VERIFY(item("farm.totals")->property("text").toString().startsWith("12 of 30 fields"));
+    QVERIFY2(item("farm.plan")->property("text").toString().contains("12"),
+             qPrintable(item("farm.plan")->property("text").toString()));
+    click("farm.export");
+    QTRY_VERIFY(item("export.write") != nullptr && item("export.write")->isVisible());
+    QCOMPARE(exporter().chosen().size(), 12);
+    QVERIFY(!exporter().chosen().contains(QStringLiteral("field-3")));
+    key(Qt::Key_Escape);
+}
+
+void TestFarmWindow::notPlannedAgain() {
+    const QTemporaryDir folder;
+    session_->document()->begin(History{.base = std::make_shared<const Project>(test::farmOf(4))});
+    waitForPlan();
+    std::size_t again = 0;
+    const auto count = [&again](const auto& plans) { again += plans.size(); };
+    QObject::connect(session_->printing(), &Printing::planned, session_->printing(), count);
+    QObject::connect(&exporter(), &ExportModel::planned, &exporter(), count);
+    // One without a plan is planned for the pages, and is planned then.
+    key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(item("farm.field.3") != nullptr);
+    click("farm.field.3");
+    click("farm.print");
+    QTRY_COMPARE_WITH_TIMEOUT(session_->printing()->state(), Printing::State::Ready, kPatienceMs);
+    QCOMPARE(again, std::size_t{1});
+    QCOMPARE(list().stateOf(3), FarmList::Drivable);
+    key(Qt::Key_Escape);
+    again = 0;
+    click("farm.selection");
+    QTRY_COMPARE(list().toPlan(), 2);
+    click("farm.plan");
+    QTRY_VERIFY_WITH_TIMEOUT(list().toPlan() == 0 && !plans().isBusy(), kPatienceMs);
+    click("farm.print");
+    QTRY_COMPARE_WITH_TIMEOUT(session_->printing()->state(), Printing::State::Ready, kPatienceMs);
+    QCOMPARE(session_->printing()->fieldCount(), 4);
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(!session_->printing()->isOpen());
+    click("farm.export");
+    QTRY_VERIFY(item("export.write") != nullptr && item("export.write")->isVisible());
+    enterFolder(folder.filePath("farm"));
+    click("export.write");
+    QTRY_COMPARE_WITH_TIMEOUT(exporter().state(), ExportModel::State::Done, kPatienceMs);
+    QCOMPARE(again, std::size_t{0});
 }
 
 void TestFarmWindow::exportedTogether() {
