@@ -4994,12 +4994,12 @@
         <translation>es enthält mehr als %1 Dateien</translation>
     </message>
     <message>
-        <source>it is a line at %1, %2 without a width</source>
-        <translation>es ist eine Linie bei %1, %2 ohne Breite</translation>
+        <source>it is a line at %1 without a width</source>
+        <translation>es ist eine Linie bei %1 ohne Breite</translation>
     </message>
     <message>
-        <source>it is a point at %1, %2 without a size</source>
-        <translation>es ist ein Punkt bei %1, %2 ohne Größe</translation>
+        <source>it is a point at %1 without a size</source>
+        <translation>es ist ein Punkt bei %1 ohne Größe</translation>
     </message>
     <message>
         <source>it is no closed line</source>
@@ -5418,8 +5418,8 @@
         <translation>der Schlag hat keine Feldgrenze</translation>
     </message>
     <message>
-        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>der Schlag reicht über mehr als 100 km; %1, %2 liegt am weitesten ab</translation>
+        <source>the field is more than 100 km across; %1 is farthest from the others</source>
+        <translation>der Schlag reicht über mehr als 100 km; %1 liegt am weitesten ab</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5494,8 +5494,8 @@
         <translation>die Zeile nach StartFix nennt keine Lage</translation>
     </message>
     <message>
-        <source>the line crosses itself at %1, %2</source>
-        <translation>die Linie kreuzt sich selbst bei %1, %2</translation>
+        <source>the line crosses itself at %1</source>
+        <translation>die Linie kreuzt sich selbst bei %1</translation>
     </message>
     <message>
         <source>the line touches or crosses itself by a sliver; taken apart there</source>
@@ -5954,8 +5954,8 @@
         <translation>eine andere Datei unterscheidet sich davon nur durch Groß- und Kleinschreibung</translation>
     </message>
     <message>
-        <source>%1, %2 is far from the field</source>
-        <translation>%1, %2 liegt weit vom Schlag entfernt</translation>
+        <source>%1 is far from the field</source>
+        <translation>%1 liegt weit vom Schlag entfernt</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; has fewer than three corners</source>

@@ -4994,12 +4994,12 @@
         <translation>contiene más de %1 archivos</translation>
     </message>
     <message>
-        <source>it is a line at %1, %2 without a width</source>
-        <translation>es una línea en %1, %2 sin ancho</translation>
+        <source>it is a line at %1 without a width</source>
+        <translation>es una línea en %1 sin ancho</translation>
     </message>
     <message>
-        <source>it is a point at %1, %2 without a size</source>
-        <translation>es un punto en %1, %2 sin tamaño</translation>
+        <source>it is a point at %1 without a size</source>
+        <translation>es un punto en %1 sin tamaño</translation>
     </message>
     <message>
         <source>it is no closed line</source>
@@ -5418,8 +5418,8 @@
         <translation>la parcela no tiene límite</translation>
     </message>
     <message>
-        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>la parcela mide más de 100 km; %1, %2 es lo más alejado del resto</translation>
+        <source>the field is more than 100 km across; %1 is farthest from the others</source>
+        <translation>la parcela mide más de 100 km; %1 es lo más alejado del resto</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5494,8 +5494,8 @@
         <translation>la línea tras StartFix no es una posición</translation>
     </message>
     <message>
-        <source>the line crosses itself at %1, %2</source>
-        <translation>la línea se cruza a sí misma en %1, %2</translation>
+        <source>the line crosses itself at %1</source>
+        <translation>la línea se cruza a sí misma en %1</translation>
     </message>
     <message>
         <source>the line touches or crosses itself by a sliver; taken apart there</source>
@@ -5954,8 +5954,8 @@
         <translation>otro archivo solo se diferencia de él en las mayúsculas</translation>
     </message>
     <message>
-        <source>%1, %2 is far from the field</source>
-        <translation>%1, %2 está lejos de la parcela</translation>
+        <source>%1 is far from the field</source>
+        <translation>%1 está lejos de la parcela</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; has fewer than three corners</source>

@@ -4994,12 +4994,12 @@
         <translation>il contient plus de %1 fichiers</translation>
     </message>
     <message>
-        <source>it is a line at %1, %2 without a width</source>
-        <translation>c&apos;est une ligne à %1, %2 sans largeur</translation>
+        <source>it is a line at %1 without a width</source>
+        <translation>c&apos;est une ligne à %1 sans largeur</translation>
     </message>
     <message>
-        <source>it is a point at %1, %2 without a size</source>
-        <translation>c&apos;est un point à %1, %2 sans étendue</translation>
+        <source>it is a point at %1 without a size</source>
+        <translation>c&apos;est un point à %1 sans étendue</translation>
     </message>
     <message>
         <source>it is no closed line</source>
@@ -5418,8 +5418,8 @@
         <translation>la parcelle n&apos;a pas de limite</translation>
     </message>
     <message>
-        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>la parcelle s&apos;étend sur plus de 100 km ; %1, %2 est le plus loin des autres</translation>
+        <source>the field is more than 100 km across; %1 is farthest from the others</source>
+        <translation>la parcelle s&apos;étend sur plus de 100 km ; %1 est le plus loin des autres</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5494,8 +5494,8 @@
         <translation>la ligne après StartFix n&apos;est pas une position</translation>
     </message>
     <message>
-        <source>the line crosses itself at %1, %2</source>
-        <translation>la ligne se croise en %1, %2</translation>
+        <source>the line crosses itself at %1</source>
+        <translation>la ligne se croise en %1</translation>
     </message>
     <message>
         <source>the line touches or crosses itself by a sliver; taken apart there</source>
@@ -5954,8 +5954,8 @@
         <translation>un autre fichier n&apos;en diffère que par les majuscules</translation>
     </message>
     <message>
-        <source>%1, %2 is far from the field</source>
-        <translation>%1, %2 est loin de la parcelle</translation>
+        <source>%1 is far from the field</source>
+        <translation>%1 est loin de la parcelle</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; has fewer than three corners</source>

@@ -4994,12 +4994,12 @@
         <translation>er zitten meer dan %1 bestanden in</translation>
     </message>
     <message>
-        <source>it is a line at %1, %2 without a width</source>
-        <translation>het is een lijn bij %1, %2 zonder breedte</translation>
+        <source>it is a line at %1 without a width</source>
+        <translation>het is een lijn bij %1 zonder breedte</translation>
     </message>
     <message>
-        <source>it is a point at %1, %2 without a size</source>
-        <translation>het is een punt bij %1, %2 zonder omvang</translation>
+        <source>it is a point at %1 without a size</source>
+        <translation>het is een punt bij %1 zonder omvang</translation>
     </message>
     <message>
         <source>it is no closed line</source>
@@ -5418,8 +5418,8 @@
         <translation>het perceel heeft geen perceelsgrens</translation>
     </message>
     <message>
-        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>het perceel reikt over meer dan 100 km; %1, %2 ligt het verst van de andere punten</translation>
+        <source>the field is more than 100 km across; %1 is farthest from the others</source>
+        <translation>het perceel reikt over meer dan 100 km; %1 ligt het verst van de andere punten</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5494,8 +5494,8 @@
         <translation>de regel na StartFix is geen plaats</translation>
     </message>
     <message>
-        <source>the line crosses itself at %1, %2</source>
-        <translation>de lijn kruist zichzelf bij %1, %2</translation>
+        <source>the line crosses itself at %1</source>
+        <translation>de lijn kruist zichzelf bij %1</translation>
     </message>
     <message>
         <source>the line touches or crosses itself by a sliver; taken apart there</source>
@@ -5954,8 +5954,8 @@
         <translation>een ander bestand verschilt er alleen in hoofdletters van</translation>
     </message>
     <message>
-        <source>%1, %2 is far from the field</source>
-        <translation>%1, %2 ligt ver van het perceel</translation>
+        <source>%1 is far from the field</source>
+        <translation>%1 ligt ver van het perceel</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; has fewer than three corners</source>

@@ -4994,12 +4994,12 @@
         <translation>contém mais de %1 arquivos</translation>
     </message>
     <message>
-        <source>it is a line at %1, %2 without a width</source>
-        <translation>é uma linha em %1, %2 sem largura</translation>
+        <source>it is a line at %1 without a width</source>
+        <translation>é uma linha em %1 sem largura</translation>
     </message>
     <message>
-        <source>it is a point at %1, %2 without a size</source>
-        <translation>é um ponto em %1, %2 sem tamanho</translation>
+        <source>it is a point at %1 without a size</source>
+        <translation>é um ponto em %1 sem tamanho</translation>
     </message>
     <message>
         <source>it is no closed line</source>
@@ -5418,8 +5418,8 @@
         <translation>o talhão não tem limite</translation>
     </message>
     <message>
-        <source>the field is more than 100 km across; %1, %2 is farthest from the others</source>
-        <translation>o talhão tem mais de 100 km; %1, %2 é o mais distante dos outros</translation>
+        <source>the field is more than 100 km across; %1 is farthest from the others</source>
+        <translation>o talhão tem mais de 100 km; %1 é o mais distante dos outros</translation>
     </message>
     <message>
         <source>the field is nowhere as wide as the machine (%1%2)</source>
@@ -5494,8 +5494,8 @@
         <translation>a linha após StartFix não é uma posição</translation>
     </message>
     <message>
-        <source>the line crosses itself at %1, %2</source>
-        <translation>a linha cruza a si mesma em %1, %2</translation>
+        <source>the line crosses itself at %1</source>
+        <translation>a linha cruza a si mesma em %1</translation>
     </message>
     <message>
         <source>the line touches or crosses itself by a sliver; taken apart there</source>
@@ -5954,8 +5954,8 @@
         <translation>outro arquivo só difere dele nas maiúsculas</translation>
     </message>
     <message>
-        <source>%1, %2 is far from the field</source>
-        <translation>%1, %2 fica longe do talhão</translation>
+        <source>%1 is far from the field</source>
+        <translation>%1 fica longe do talhão</translation>
     </message>
     <message>
         <source>a ring of &apos;%1&apos; has fewer than three corners</source>

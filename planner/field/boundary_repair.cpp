@@ -1,5 +1,6 @@
 #include "planner/field/boundary_repair.h"
 
+#include "planner/core/place_message.h"
 #include "planner/geometry/geos_bridge.h"
 
 #include <algorithm>
@@ -354,7 +355,7 @@ private:
         const GeoPoint place = frame_.toGeo((*problem)->place);
         if (std::abs(signedM2 - enclosedM2) > sliverM2) {
             return std::unexpected(
-                refused(message("the line crosses itself at {:.7f}, {:.7f}", place.lonDeg, place.latDeg),
+                refused(message("the line crosses itself at {}", placeMessage(place)),
                         "move one of the points there, so that it is clear which side is field", place, ""));
         }
         note("the line touches or crosses itself by a sliver; taken apart there", place);

@@ -1,5 +1,6 @@
 #include "planner/field/field.h"
 
+#include "planner/core/place_message.h"
 #include "planner/field/boundary_repair.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/segment.h"
@@ -215,8 +216,8 @@ Result<void> checkExtent(const FieldSource& source, const LocalFrame& frame) {
             const GeoPoint place = source.parts[far.part].outer[far.index];
             return std::unexpected(
                 refused(source, message("part {}, point {}", far.part + 1, far.index + 1),
-                        message("the field is more than 100 km across; {}, {} is farthest from the others",
-                                place.lonDeg, place.latDeg),
+                        message("the field is more than 100 km across; {} is farthest from the others",
+                                placeMessage(place)),
                         "check the coordinate system, correct this point, or split the field", place));
         }
     }

@@ -1,6 +1,7 @@
 #include "ui/map/map_camera.h"
 
 #include "planner/core/place_text.h"
+#include "ui/text/unit_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +113,7 @@ QGeoCoordinate MapCamera::placeNamedBy(const QString& text) const {
 }
 
 QString MapCamera::nameOf(const QGeoCoordinate& place) const {
-    return place.toString(QGeoCoordinate::DegreesWithHemisphere);
+    return placeText(geoPoint(place));
 }
 
 void MapCamera::goTo(const QGeoCoordinate& place, double zoom) {

@@ -75,10 +75,6 @@ QString settingValue(const SheetSetting& setting) {
     return sentence(shownValue(*setting.parameter, setting.value));
 }
 
-QString placeText(GeoPoint place) {
-    return QStringLiteral("%1, %2").arg(place.latDeg, 0, 'f', 6).arg(place.lonDeg, 0, 'f', 6);
-}
-
 QString percentOrDash(const std::optional<double>& share, int decimals) {
     return share ? percentText(*share, decimals) : QStringLiteral("–");
 }

@@ -1,5 +1,6 @@
 #include "ui/text/message_text.h"
 
+#include "planner/core/place_message.h"
 #include "ui/text/unit_text.h"
 
 #include <QCoreApplication>
@@ -91,6 +92,9 @@ QString filled(const QString& pattern, const std::vector<MessageArgument>& argum
 QString shown(const Message& message) {
     if (message.empty()) {
         return {};
+    }
+    if (isPlace(message)) {
+        return placeText({.lonDeg = message.arguments()[0].number, .latDeg = message.arguments()[1].number});
     }
     const std::string& key = message.key();
     QString text;

@@ -32,6 +32,13 @@ QString fromStd(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+QString placeText(GeoPoint place) {
+    constexpr int kDecimals = 6;
+    return QStringLiteral("%1° %2, %3° %4")
+        .arg(numberText(std::abs(place.latDeg), kDecimals), place.latDeg < 0.0 ? "S" : "N",
+             numberText(std::abs(place.lonDeg), kDecimals), place.lonDeg < 0.0 ? "W" : "E");
+}
+
 QString numberText(double value, int decimals) {
     return QLocale{}.toString(value, 'f', decimals);
 }

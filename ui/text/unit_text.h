@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/core/geo_point.h"
 #include "planner/units/quantity.h"
 
 #include <QString>
@@ -33,6 +34,9 @@ QString numberText(double value, int decimals);
 QString bearingText(Angle swathHeading);
 /// Without decimals that are zero.
 QString shortNumberText(double value, int mostDecimals);
+
+/// Latitude first: "52.001500° N, 5.001500° E". Can be typed again (placeNamedBy).
+QString placeText(GeoPoint place);
 
 /// What stands side by side in one line: "24.0 m · 2 passes".
 QString inOneLine(const QStringList& parts);

@@ -1,5 +1,6 @@
 #include "planner/io/check/shape_checks.h"
 
+#include "planner/core/place_message.h"
 #include "planner/geodesy/local_frame.h"
 #include "planner/geometry/geos_bridge.h"
 #include "planner/io/content/geo_ring.h"
@@ -91,8 +92,7 @@ void nearTheFields(CheckRun& run) {
             }
         });
         if (far) {
-            run.report(content.file,
-                       message("{:.6f}, {:.6f} is far from the field", far->lonDeg, far->latDeg));
+            run.report(content.file, message("{} is far from the field", placeMessage(*far)));
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "planner/io/content/obstacle_shapes.h"
 
 #include "planner/core/file_error.h"
+#include "planner/core/place_message.h"
 #include "planner/geodesy/local_frame.h"
 #include "planner/geometry/geos_bridge.h"
 
@@ -47,12 +48,11 @@ Result<std::vector<GeoPolygon>> outlinesAround(std::span<const GeoPoint> points,
         return std::vector<GeoPolygon>{};
     }
     if (!(buffer > metres(0.0))) {
-        return std::unexpected(withoutSize(
-            where,
-            points.empty()
-                ? message("it is a line at {:.7f}, {:.7f} without a width", first->lonDeg, first->latDeg)
-                : message("it is a point at {:.7f}, {:.7f} without a size", first->lonDeg, first->latDeg),
-            *first));
+        return std::unexpected(
+            withoutSize(where,
+                        points.empty() ? message("it is a line at {} without a width", placeMessage(*first))
+                                       : message("it is a point at {} without a size", placeMessage(*first)),
+                        *first));
     }
     const auto frame = LocalFrame::centredOn(*first);
     if (!frame) {

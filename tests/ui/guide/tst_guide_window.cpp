@@ -177,7 +177,7 @@ private slots:
         QVERIFY(!shows(QStringLiteral("palette.row.0")));
         type(QStringLiteral("47,5 N 8,25 E"));
         QTRY_COMPARE(item(QStringLiteral("palette.row.0"))->property("text").toString(),
-                     QStringLiteral("Go to 47.50000° N, 8.25000° E"));
+                     QStringLiteral("Go to 47.500000° N, 8.250000° E"));
         picture(QStringLiteral("palette_place"));
         key(Qt::Key_Return);
         QTRY_VERIFY(camera()->center().distanceTo(QGeoCoordinate{47.5, 8.25}) < 1.0);

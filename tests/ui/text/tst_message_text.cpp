@@ -1,7 +1,10 @@
 #include "planner/core/message.h"
+#include "planner/core/place_message.h"
+#include "planner/core/place_text.h"
 #include "tests/support/test_program.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <QStandardPaths>
 #include <QTest>
@@ -87,6 +90,22 @@ private slots:
         // What a user called so stays.
         QCOMPARE(shown(message("several fields are called '{}'", "West (path.method)")),
                  QStringLiteral("several fields are called 'West (path.method)'"));
+    }
+
+    /// As maps and paper have it, not as files; and so that it can be typed again.
+    void placesBeginWithTheLatitude() {
+        const Message crosses =
+            message("the line crosses itself at {}", placeMessage({.lonDeg = 5.0015, .latDeg = 52.0015001}));
+        QCOMPARE(crosses.text(), "the line crosses itself at 5.0015000, 52.0015001");
+        Display::instance().force(QStringLiteral("en"), Display::Metric);
+        QCOMPARE(sentence(crosses), QStringLiteral("The line crosses itself at 52.001500° N, 5.001500° E"));
+        Display::instance().force(QStringLiteral("de"), Display::Metric);
+        QCOMPARE(sentence(crosses),
+                 QStringLiteral("Die Linie kreuzt sich selbst bei 52,001500° N, 5,001500° E"));
+        const QString south = placeText({.lonDeg = -58.5, .latDeg = -34.25});
+        QCOMPARE(south, QStringLiteral("34,250000° S, 58,500000° W"));
+        const auto read = placeNamedBy(south.toStdString());
+        QVERIFY(read && *read == (GeoPoint{.lonDeg = -58.5, .latDeg = -34.25}));
     }
 
     void portugalHasItsOwnWords() {
