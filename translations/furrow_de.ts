@@ -415,6 +415,14 @@
         <translation>schnellster optimieren vergleichen Alternativen</translation>
     </message>
     <message>
+        <source>Change the order by hand…</source>
+        <translation>Reihenfolge von Hand ändern …</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>reihenfolge spuren liste ziehen folge</translation>
+    </message>
+    <message>
         <source>Print the work order…</source>
         <translation>Arbeitsauftrag drucken …</translation>
     </message>
@@ -3538,8 +3546,8 @@
         <translation>Linie</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
-        <translation>Linien in WGS84, an denen die Innenfläche geteilt wird; sie gehen ganz hindurch oder enden höchstens eine Arbeitsbreite vor ihrem Rand.</translation>
+        <source>Lines along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Linien, an denen die Innenfläche geteilt wird; sie gehen ganz hindurch oder enden höchstens eine Arbeitsbreite vor ihrem Rand.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -4018,6 +4026,14 @@
         <translation>Die Ecke, an der die Fahrroute beginnt.</translation>
     </message>
     <message>
+        <source>The field is narrower here than the %1 in which this machine turns without reversing: leave this strip out, or work it with a machine that turns more tightly.</source>
+        <translation>Der Schlag ist hier schmaler als die %1, auf denen diese Maschine ohne Rückwärtsfahren wendet: Lassen Sie diesen Streifen weg, oder bearbeiten Sie ihn mit einer wendigeren Maschine.</translation>
+    </message>
+    <message>
+        <source>The field is narrower here than this machine, which takes %1: leave this strip out, or work it with a narrower machine.</source>
+        <translation>Der Schlag ist hier schmaler als diese Maschine, die %1 braucht: Lassen Sie diesen Streifen weg, oder bearbeiten Sie ihn mit einer schmaleren Maschine.</translation>
+    </message>
+    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>Der Schlag ist zu schmal für %1 Vorgewende; es werden %2 mit %3</translation>
     </message>
@@ -4270,8 +4286,8 @@
         <translation>Trapeze</translation>
     </message>
     <message>
-        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
-        <translation>Versucht alle Richtungen in Schritten und behält die beste (die Suche des Fachartikels).</translation>
+        <source>Tries every heading in steps and keeps the best.</source>
+        <translation>Versucht alle Richtungen in Schritten und behält die beste.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -7284,6 +7300,20 @@
             <numerusform>%n Hinweise</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to look at</source>
+        <translation>
+            <numerusform>%n zum Ansehen</numerusform>
+            <numerusform>%n zum Ansehen</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Show the first %1 only</source>
         <translation>Nur die ersten %1 zeigen</translation>
@@ -7386,8 +7416,8 @@
         <translation>Kommentar</translation>
     </message>
     <message>
-        <source>What should be seen to?</source>
-        <translation>Was ist zu beachten?</translation>
+        <source>What should be changed here?</source>
+        <translation>Was soll hier anders werden?</translation>
     </message>
     <message>
         <source>Your name</source>
@@ -7565,6 +7595,10 @@
     <message>
         <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
         <translation>Der Umriss hat %1 Stufen von etwa %2 %3, wie die Pixel eines Bildes.</translation>
+    </message>
+    <message>
+        <source>Made straight, their outlines would be refused. Open one of them to see why.</source>
+        <translation>Begradigt würden ihre Umrisse abgelehnt. Öffnen Sie einen davon, um zu sehen, warum.</translation>
     </message>
     <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
@@ -8046,6 +8080,14 @@
     <message>
         <source>Tank</source>
         <translation>Tank</translation>
+    </message>
+    <message>
+        <source>full after %1</source>
+        <translation>voll nach %1</translation>
+    </message>
+    <message>
+        <source>enough for %1</source>
+        <translation>reicht für %1</translation>
     </message>
     <message numerus="yes">
         <source>%n pass(es)</source>
@@ -8794,6 +8836,13 @@
     <message>
         <source>Made straight, it would be refused: %1; %2.</source>
         <translation>Begradigt würde er abgelehnt: %1; %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) stay as they are: %1.</source>
+        <translation>
+            <numerusform>%n Schlag bleibt, wie er ist: %1.</numerusform>
+            <numerusform>%n Schläge bleiben, wie sie sind: %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Move</source>

@@ -117,6 +117,20 @@
             <numerusform>%n findings</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to look at</source>
+        <translation>
+            <numerusform>%n to look at</numerusform>
+            <numerusform>%n to look at</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ReviewSection</name>
@@ -259,6 +273,16 @@
         <translation>
             <numerusform>%n without a plan</numerusform>
             <numerusform>%n without a plan</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>furrow::FieldEditor</name>
+    <message numerus="yes">
+        <source>%n field(s) stay as they are: %1.</source>
+        <translation>
+            <numerusform>%n field stays as it is: %1.</numerusform>
+            <numerusform>%n fields stay as they are: %1.</numerusform>
         </translation>
     </message>
 </context>

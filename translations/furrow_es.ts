@@ -415,6 +415,14 @@
         <translation>más rápido optimizar comparar alternativas</translation>
     </message>
     <message>
+        <source>Change the order by hand…</source>
+        <translation>Cambiar el orden a mano…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>orden pasadas lista arrastrar secuencia</translation>
+    </message>
+    <message>
         <source>Print the work order…</source>
         <translation>Imprimir la orden de trabajo…</translation>
     </message>
@@ -3538,8 +3546,8 @@
         <translation>Línea</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
-        <translation>Líneas en WGS84 por las que se divide el interior; lo atraviesan por completo o terminan como mucho a un ancho de trabajo de su borde.</translation>
+        <source>Lines along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Líneas por las que se divide el interior; lo atraviesan por completo o terminan como mucho a un ancho de trabajo de su borde.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -4018,6 +4026,14 @@
         <translation>La esquina donde empieza la ruta.</translation>
     </message>
     <message>
+        <source>The field is narrower here than the %1 in which this machine turns without reversing: leave this strip out, or work it with a machine that turns more tightly.</source>
+        <translation>La parcela es aquí más estrecha que los %1 en los que esta máquina gira sin dar marcha atrás: deje fuera esta franja o trabájela con una máquina que gire más cerrado.</translation>
+    </message>
+    <message>
+        <source>The field is narrower here than this machine, which takes %1: leave this strip out, or work it with a narrower machine.</source>
+        <translation>La parcela es aquí más estrecha que esta máquina, que necesita %1: deje fuera esta franja o trabájela con una máquina más estrecha.</translation>
+    </message>
+    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>La parcela es demasiado estrecha para %1 de cabecera; quedan %2, con %3</translation>
     </message>
@@ -4270,8 +4286,8 @@
         <translation>Trapecios</translation>
     </message>
     <message>
-        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
-        <translation>Prueba todas las direcciones por pasos y se queda con la mejor (la búsqueda del artículo).</translation>
+        <source>Tries every heading in steps and keeps the best.</source>
+        <translation>Prueba todas las direcciones por pasos y se queda con la mejor.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -7284,6 +7300,20 @@
             <numerusform>%n avisos</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to look at</source>
+        <translation>
+            <numerusform>%n para revisar</numerusform>
+            <numerusform>%n para revisar</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Show the first %1 only</source>
         <translation>Mostrar solo los %1 primeros</translation>
@@ -7386,8 +7416,8 @@
         <translation>Comentario</translation>
     </message>
     <message>
-        <source>What should be seen to?</source>
-        <translation>¿Qué hay que atender?</translation>
+        <source>What should be changed here?</source>
+        <translation>¿Qué hay que cambiar aquí?</translation>
     </message>
     <message>
         <source>Your name</source>
@@ -7565,6 +7595,10 @@
     <message>
         <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
         <translation>El contorno tiene %1 escalones de unos %2 %3, como los píxeles de una imagen.</translation>
+    </message>
+    <message>
+        <source>Made straight, their outlines would be refused. Open one of them to see why.</source>
+        <translation>Enderezados, sus contornos se rechazarían. Abra una para ver por qué.</translation>
     </message>
     <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
@@ -8046,6 +8080,14 @@
     <message>
         <source>Tank</source>
         <translation>Depósito</translation>
+    </message>
+    <message>
+        <source>full after %1</source>
+        <translation>lleno tras %1</translation>
+    </message>
+    <message>
+        <source>enough for %1</source>
+        <translation>alcanza para %1</translation>
     </message>
     <message numerus="yes">
         <source>%n pass(es)</source>
@@ -8794,6 +8836,13 @@
     <message>
         <source>Made straight, it would be refused: %1; %2.</source>
         <translation>Enderezado, se rechazaría: %1; %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) stay as they are: %1.</source>
+        <translation>
+            <numerusform>%n parcela queda como está: %1.</numerusform>
+            <numerusform>%n parcelas quedan como están: %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Move</source>

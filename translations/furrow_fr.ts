@@ -415,6 +415,14 @@
         <translation>plus rapide optimiser comparer alternatives</translation>
     </message>
     <message>
+        <source>Change the order by hand…</source>
+        <translation>Changer l&apos;ordre à la main…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>ordre passages liste glisser suite</translation>
+    </message>
+    <message>
         <source>Print the work order…</source>
         <translation>Imprimer l&apos;ordre de travail…</translation>
     </message>
@@ -3538,8 +3546,8 @@
         <translation>Ligne</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
-        <translation>Lignes en WGS84 le long desquelles le plein champ est découpé ; elles le traversent ou s&apos;arrêtent à une largeur de travail au plus de son bord.</translation>
+        <source>Lines along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Lignes le long desquelles le plein champ est découpé ; elles le traversent ou s&apos;arrêtent à une largeur de travail au plus de son bord.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -4018,6 +4026,14 @@
         <translation>Le coin où commence l&apos;ordre des passages.</translation>
     </message>
     <message>
+        <source>The field is narrower here than the %1 in which this machine turns without reversing: leave this strip out, or work it with a machine that turns more tightly.</source>
+        <translation>La parcelle est ici plus étroite que les %1 qu&apos;il faut à cette machine pour faire demi-tour sans reculer : laissez cette bande de côté, ou travaillez-la avec une machine qui braque mieux.</translation>
+    </message>
+    <message>
+        <source>The field is narrower here than this machine, which takes %1: leave this strip out, or work it with a narrower machine.</source>
+        <translation>La parcelle est ici plus étroite que cette machine, à qui il faut %1 : laissez cette bande de côté, ou travaillez-la avec une machine plus étroite.</translation>
+    </message>
+    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>La parcelle est trop étroite pour %1 de fourrière ; il en reste %2, avec %3</translation>
     </message>
@@ -4270,8 +4286,8 @@
         <translation>Trapèzes</translation>
     </message>
     <message>
-        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
-        <translation>Essaie toutes les orientations par pas et garde la meilleure (la recherche de l&apos;article).</translation>
+        <source>Tries every heading in steps and keeps the best.</source>
+        <translation>Essaie toutes les orientations par pas et garde la meilleure.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -7284,6 +7300,20 @@
             <numerusform>%n remarques</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problème</numerusform>
+            <numerusform>%n problèmes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to look at</source>
+        <translation>
+            <numerusform>%n à regarder</numerusform>
+            <numerusform>%n à regarder</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Show the first %1 only</source>
         <translation>Ne montrer que les %1 premières</translation>
@@ -7386,8 +7416,8 @@
         <translation>Commentaire</translation>
     </message>
     <message>
-        <source>What should be seen to?</source>
-        <translation>À quoi faut-il veiller ?</translation>
+        <source>What should be changed here?</source>
+        <translation>Que faut-il changer ici ?</translation>
     </message>
     <message>
         <source>Your name</source>
@@ -7565,6 +7595,10 @@
     <message>
         <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
         <translation>Le contour a %1 marches d’environ %2 %3, comme les pixels d’une image.</translation>
+    </message>
+    <message>
+        <source>Made straight, their outlines would be refused. Open one of them to see why.</source>
+        <translation>Redressés, leurs contours seraient refusés. Ouvrez-en une pour voir pourquoi.</translation>
     </message>
     <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
@@ -8046,6 +8080,14 @@
     <message>
         <source>Tank</source>
         <translation>Cuve</translation>
+    </message>
+    <message>
+        <source>full after %1</source>
+        <translation>plein après %1</translation>
+    </message>
+    <message>
+        <source>enough for %1</source>
+        <translation>suffit pour %1</translation>
     </message>
     <message numerus="yes">
         <source>%n pass(es)</source>
@@ -8794,6 +8836,13 @@
     <message>
         <source>Made straight, it would be refused: %1; %2.</source>
         <translation>Redressé, il serait refusé : %1; %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) stay as they are: %1.</source>
+        <translation>
+            <numerusform>%n parcelle reste comme elle est : %1.</numerusform>
+            <numerusform>%n parcelles restent comme elles sont : %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Move</source>

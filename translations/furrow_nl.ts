@@ -415,6 +415,14 @@
         <translation>snelste optimaliseren vergelijken alternatieven</translation>
     </message>
     <message>
+        <source>Change the order by hand…</source>
+        <translation>Volgorde met de hand wijzigen…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>volgorde werkgangen lijst slepen</translation>
+    </message>
+    <message>
         <source>Print the work order…</source>
         <translation>Werkopdracht afdrukken…</translation>
     </message>
@@ -3538,8 +3546,8 @@
         <translation>Lijn</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
-        <translation>Lijnen in WGS84 waarlangs de binnenakker wordt gesplitst; ze lopen er helemaal doorheen of eindigen hoogstens een werkbreedte voor de rand.</translation>
+        <source>Lines along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Lijnen waarlangs de binnenakker wordt gesplitst; ze lopen er helemaal doorheen of eindigen hoogstens een werkbreedte voor de rand.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -4018,6 +4026,14 @@
         <translation>De hoek waar de rijroute begint.</translation>
     </message>
     <message>
+        <source>The field is narrower here than the %1 in which this machine turns without reversing: leave this strip out, or work it with a machine that turns more tightly.</source>
+        <translation>Het perceel is hier smaller dan de %1 waarop deze machine draait zonder achteruit te rijden: laat deze strook weg of bewerk haar met een machine die krapper draait.</translation>
+    </message>
+    <message>
+        <source>The field is narrower here than this machine, which takes %1: leave this strip out, or work it with a narrower machine.</source>
+        <translation>Het perceel is hier smaller dan deze machine, die %1 nodig heeft: laat deze strook weg of bewerk haar met een smallere machine.</translation>
+    </message>
+    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>Het perceel is te smal voor %1 kopakker; het wordt %2 met %3</translation>
     </message>
@@ -4270,8 +4286,8 @@
         <translation>Trapezia</translation>
     </message>
     <message>
-        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
-        <translation>Probeert alle richtingen in stappen en houdt de beste (de zoekmethode uit het artikel).</translation>
+        <source>Tries every heading in steps and keeps the best.</source>
+        <translation>Probeert alle richtingen in stappen en houdt de beste.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -7284,6 +7300,20 @@
             <numerusform>%n bevindingen</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n probleem</numerusform>
+            <numerusform>%n problemen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to look at</source>
+        <translation>
+            <numerusform>%n om te bekijken</numerusform>
+            <numerusform>%n om te bekijken</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Show the first %1 only</source>
         <translation>Alleen de eerste %1 tonen</translation>
@@ -7386,8 +7416,8 @@
         <translation>Opmerking</translation>
     </message>
     <message>
-        <source>What should be seen to?</source>
-        <translation>Waar moet op gelet worden?</translation>
+        <source>What should be changed here?</source>
+        <translation>Wat moet hier anders?</translation>
     </message>
     <message>
         <source>Your name</source>
@@ -7565,6 +7595,10 @@
     <message>
         <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
         <translation>De omtrek heeft %1 trapjes van ongeveer %2 %3, zoals de pixels van een beeld.</translation>
+    </message>
+    <message>
+        <source>Made straight, their outlines would be refused. Open one of them to see why.</source>
+        <translation>Rechtgemaakt zouden hun omtrekken geweigerd worden. Open er een om te zien waarom.</translation>
     </message>
     <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
@@ -8046,6 +8080,14 @@
     <message>
         <source>Tank</source>
         <translation>Tank</translation>
+    </message>
+    <message>
+        <source>full after %1</source>
+        <translation>vol na %1</translation>
+    </message>
+    <message>
+        <source>enough for %1</source>
+        <translation>genoeg voor %1</translation>
     </message>
     <message numerus="yes">
         <source>%n pass(es)</source>
@@ -8794,6 +8836,13 @@
     <message>
         <source>Made straight, it would be refused: %1; %2.</source>
         <translation>Recht gemaakt zou hij worden geweigerd: %1; %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) stay as they are: %1.</source>
+        <translation>
+            <numerusform>%n perceel blijft zoals het is: %1.</numerusform>
+            <numerusform>%n percelen blijven zoals ze zijn: %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Move</source>

@@ -415,6 +415,14 @@
         <translation>mais rápido otimizar comparar alternativas</translation>
     </message>
     <message>
+        <source>Change the order by hand…</source>
+        <translation>Mudar a ordem à mão…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>ordem passadas lista arrastar sequência</translation>
+    </message>
+    <message>
         <source>Print the work order…</source>
         <translation>Imprimir a ordem de serviço…</translation>
     </message>
@@ -3538,8 +3546,8 @@
         <translation>Linha</translation>
     </message>
     <message>
-        <source>Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
-        <translation>Linhas em WGS84 ao longo das quais o interior é dividido; atravessam-no por completo ou terminam no máximo a uma largura de trabalho da borda.</translation>
+        <source>Lines along which the field inside the headland is cut; they run right through it, or end no farther than an operating width from its edge.</source>
+        <translation>Linhas ao longo das quais o interior é dividido; atravessam-no por completo ou terminam no máximo a uma largura de trabalho da borda.</translation>
     </message>
     <message>
         <source>Litres of fuel per hour of turns and transfers.</source>
@@ -4018,6 +4026,14 @@
         <translation>O canto onde a rota começa.</translation>
     </message>
     <message>
+        <source>The field is narrower here than the %1 in which this machine turns without reversing: leave this strip out, or work it with a machine that turns more tightly.</source>
+        <translation>O talhão é aqui mais estreito que os %1 em que esta máquina manobra sem dar ré: deixe esta faixa de fora ou trabalhe-a com uma máquina que vire mais fechado.</translation>
+    </message>
+    <message>
+        <source>The field is narrower here than this machine, which takes %1: leave this strip out, or work it with a narrower machine.</source>
+        <translation>O talhão é aqui mais estreito que esta máquina, que precisa de %1: deixe esta faixa de fora ou trabalhe-a com uma máquina mais estreita.</translation>
+    </message>
+    <message>
         <source>The field is too narrow for %1 of headland; it is %2 with %3</source>
         <translation>O talhão é estreito demais para %1 de cabeceira; ficam %2, com %3</translation>
     </message>
@@ -4270,8 +4286,8 @@
         <translation>Trapézios</translation>
     </message>
     <message>
-        <source>Tries every heading in steps and keeps the best (the paper&apos;s search).</source>
-        <translation>Testa todas as direções em passos e fica com a melhor (a busca do artigo).</translation>
+        <source>Tries every heading in steps and keeps the best.</source>
+        <translation>Testa todas as direções em passos e fica com a melhor.</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -7284,6 +7300,20 @@
             <numerusform>%n avisos</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problema</numerusform>
+            <numerusform>%n problemas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to look at</source>
+        <translation>
+            <numerusform>%n para ver</numerusform>
+            <numerusform>%n para ver</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Show the first %1 only</source>
         <translation>Mostrar só os primeiros %1</translation>
@@ -7386,8 +7416,8 @@
         <translation>Comentário</translation>
     </message>
     <message>
-        <source>What should be seen to?</source>
-        <translation>O que precisa ser resolvido?</translation>
+        <source>What should be changed here?</source>
+        <translation>O que deve mudar aqui?</translation>
     </message>
     <message>
         <source>Your name</source>
@@ -7565,6 +7595,10 @@
     <message>
         <source>The outline has %1 steps of about %2 %3, like the pixels of an image.</source>
         <translation>O contorno tem %1 degraus de cerca de %2 %3, como os pixels de uma imagem.</translation>
+    </message>
+    <message>
+        <source>Made straight, their outlines would be refused. Open one of them to see why.</source>
+        <translation>Endireitados, os contornos seriam recusados. Abra um deles para ver por quê.</translation>
     </message>
     <message>
         <source>No machine follows them. Straight edges lead through the middles of the steps.</source>
@@ -8046,6 +8080,14 @@
     <message>
         <source>Tank</source>
         <translation>Tanque</translation>
+    </message>
+    <message>
+        <source>full after %1</source>
+        <translation>cheio após %1</translation>
+    </message>
+    <message>
+        <source>enough for %1</source>
+        <translation>suficiente para %1</translation>
     </message>
     <message numerus="yes">
         <source>%n pass(es)</source>
@@ -8794,6 +8836,13 @@
     <message>
         <source>Made straight, it would be refused: %1; %2.</source>
         <translation>Endireitado, ele seria recusado: %1; %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n field(s) stay as they are: %1.</source>
+        <translation>
+            <numerusform>%n talhão fica como está: %1.</numerusform>
+            <numerusform>%n talhões ficam como estão: %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Move</source>

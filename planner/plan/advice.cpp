@@ -3,6 +3,7 @@
 #include "planner/headland/methods.h"
 #include "planner/path/gate_ways.h"
 #include "planner/plan/method_registry.h"
+#include "planner/plan/narrow_places.h"
 #include "planner/plan/shown_value.h"
 
 #include <algorithm>
@@ -71,6 +72,23 @@ bool isBlockedAnew(const Plan& changed, const Plan& plan, double nearM) {
     });
 }
 
+bool leavesUnexplained(const Finding& finding) {
+    return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside &&
+           finding.suggestion.empty();
+}
+
+/// What leaves the field and no change mends is told why, where the field is too narrow.
+Result<void> explainNarrowPlaces(Plan& plan, const JobContext& job) {
+    if (std::ranges::none_of(plan.findings, leavesUnexplained)) {
+        return {};
+    }
+    return NarrowPlaces::of(plan, job.withoutProgress()).transform([&plan](const NarrowPlaces& places) {
+        for (Finding& finding : plan.findings | std::views::filter(leavesUnexplained)) {
+            finding.suggestion = places.reasonAt(finding.place);
+        }
+    });
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>& plan, const JobContext& job,
@@ -111,6 +129,9 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
                             shownValue(*change.parameter, request.settings.value(*change.parameter)));
             }
         }
+    }
+    if (const auto explained = explainNarrowPlaces(*advised, job); !explained) {
+        return std::unexpected(explained.error());
     }
     return advised;
 }
