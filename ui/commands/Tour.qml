@@ -15,7 +15,8 @@ Item {
     required property bool hasField
     required property string machineName
     required property bool dragging
-    required property bool exporting
+    /// A plan was written to files.
+    required property bool exported
     property bool running: false
     /// It was shown before, to the end or not.
     property bool seen: false
@@ -38,9 +39,9 @@ Item {
     visible: running
     Keys.onEscapePressed: root.leave()
     onHasFieldChanged: root.tick(0, root.hasField)
-    onMachineNameChanged: root.tick(1, root.machineName !== root.machineAtStart)
-    onDraggingChanged: root.tick(2, root.dragging)
-    onExportingChanged: root.tick(3, root.exporting)
+    onMachineNameChanged: if (root.machineName !== root.machineAtStart) root.tick(1, true)
+    onDraggingChanged: if (root.dragging) root.tick(2, true)
+    onExportedChanged: if (root.exported) root.tick(3, true)
 
     readonly property Settings stored: Settings {
         category: "tour"
@@ -197,10 +198,10 @@ Item {
         rows.itemAt(root.hasField ? 1 : 0)?.forceActiveFocus(Qt.OtherFocusReason);
     }
     function tick(task: int, isDone: bool): void {
-        if (!root.running || !isDone || root.done[task])
+        if (!root.running || root.done[task] === isDone)
             return;
         const done = [...root.done];
-        done[task] = true;
+        done[task] = isDone;
         root.done = done;
     }
     function leave(): void {

@@ -568,7 +568,7 @@ ApplicationWindow {
         hasField: root.session.farm.hasField
         machineName: root.session.planning.machine.name
         dragging: page.editor.dragging
-        exporting: exportDialog.opened
+        exported: root.session.exporter.state === ExportModel.Done || root.session.exporter.stick.state === StickExport.Done
         places: [steps, steps, page, topBar.exportButton]
         onTaskRequested: task => root.beginTask(task)
     }

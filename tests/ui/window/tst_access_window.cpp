@@ -260,10 +260,32 @@ private slots:
         drag(at, at + QPoint{14, 12});
         QTRY_VERIFY(isDone(2) && !isDone(3));
         QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
+        // A field that is not there any more is no field.
+        const int changes = static_cast<int>(session_->document()->history().steps.size());
+        for (int i = 0; i < changes; ++i) {
+            key(Qt::Key_Z, Qt::ControlModifier);
+        }
+        QTRY_VERIFY(!session_->farm()->hasField() && !isDone(0));
+        for (int i = 0; i < changes; ++i) {
+            session_->document()->redo();
+        }
+        QTRY_VERIFY(isDone(0));
+        QTRY_VERIFY_WITH_TIMEOUT(isFinished(session_->planning()->state()), kPatienceMs);
+        // Looked at, nothing is written.
         click(QStringLiteral("tour.task.3"));
-        QTRY_VERIFY(isDone(3));
         QTRY_VERIFY(item(QStringLiteral("export.close")) != nullptr &&
                     item(QStringLiteral("export.close"))->isVisible());
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(item(QStringLiteral("export.close")) == nullptr ||
+                    !item(QStringLiteral("export.close"))->isVisible());
+        QVERIFY(!isDone(3));
+        const QTemporaryDir folder;
+        click(QStringLiteral("tour.task.3"));
+        QTRY_VERIFY(item(QStringLiteral("export.close")) != nullptr &&
+                    item(QStringLiteral("export.close"))->isVisible());
+        click(QStringLiteral("export.inFolder"));
+        session_->exporter()->writeTo(folder.path());
+        QTRY_VERIFY_WITH_TIMEOUT(isDone(3), kPatienceMs);
         key(Qt::Key_Escape);
         QTRY_COMPARE(item(QStringLiteral("tour.title"))->property("text").toString(),
                      QStringLiteral("That is all"));
