@@ -326,6 +326,28 @@ private slots:
         QVERIFY(map.contains(">A</text>") && !map.contains(">B</text>"));
     }
 
+    /// Nothing of it is cut while a column beside it is empty.
+    void namesOnTheFarmsPageAreWhole() {
+        Project farm = Project::empty();
+        farm.name = "Long names";
+        ProjectField field = *rectangleField("field-1", "North", 200.0, 120.0, 5.0, {});
+        field.plans.front().name.clear();
+        field.plans.front().machine = findMachine("power-harrow-drill").value();
+        farm.fields = {std::make_shared<const ProjectField>(field)};
+        VERIFY_RESULT(writeProject(farm, at("Long.furrow").toStdU16String()));
+        for (const char* language : {"en", "de", "fr", "es", "nl", "pt_BR"}) {
+            QVERIFY(furrowCli({"report", at("Long.furrow"), "--language", language, "--out", at("long.pdf")})
+                        .status <= 1);
+            const QString table = textOf(at("long.pdf")).section(QChar{'\f'}, 0, 0);
+            QVERIFY2(table.contains("North") && !table.contains(u'…'), qPrintable(table));
+        }
+        // What a tank holds has no unit of its own: 1200 / 0.018 m².
+        QCOMPARE(furrowCli({"report", at("Long.furrow"), "--out", at("long.pdf")}).status, 0);
+        const QString text = textOf(at("long.pdf"));
+        QVERIFY(text.section(QChar{'\f'}, 0, 0).contains("Power harrow and drill, 3 m"));
+        QVERIFY2(text.contains("enough for 6.7 ha"), qPrintable(text));
+    }
+
     void oneFieldOfAFarm() {
         QCOMPARE(
             furrowCli({"report", at("Farm.furrow"), "--field-id", "South", "--out", at("south.svg")}).status,

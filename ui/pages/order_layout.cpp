@@ -323,7 +323,14 @@ std::vector<OrderLayout::Row> OrderLayout::machineRows() const {
                                                              ? LayoutWords::tr("trailed")
                                                              : LayoutWords::tr("mounted")}};
     if (spec.tank) {
-        rows.push_back({LayoutWords::tr("Tank"), numberText(spec.tank->capacity, 0)});
+        // Its unit is the user's own: litres, kilograms, seeds. What it is enough for needs none.
+        const QString land = spec.tank->ratePerM2 > 0.0
+                                 ? areaText(squareMetres(spec.tank->capacity / spec.tank->ratePerM2))
+                                 : QString{};
+        rows.push_back({LayoutWords::tr("Tank"), land.isEmpty() ? numberText(spec.tank->capacity, 0)
+                                                 : operationOf(sheet_.operation).tank == TankUse::Fills
+                                                     ? LayoutWords::tr("full after %1").arg(land)
+                                                     : LayoutWords::tr("enough for %1").arg(land)});
     }
     return rows;
 }

@@ -34,6 +34,7 @@ public:
     /// @param pages  the page on which each plan begins, from 1
     void lay(const std::vector<int>& pages) {
         flow_.newPage();
+        placeColumns(pages);
         layTitle();
         layHead();
         for (std::size_t i = 0; i < job_.plans.size(); ++i) {
@@ -51,9 +52,7 @@ private:
     static constexpr int kColumns = 8;
     using Cells = std::array<QString, kColumns>;
 
-    /// Right edges of numbers, left edges of names, as shares of the width.
-    static constexpr std::array<double, kColumns> kEdges{0.0, 0.25, 0.44, 0.68, 0.78, 0.87, 0.89, 1.0};
-    static constexpr std::array<double, kColumns> kRoom{0.24, 0.18, 0.15, 0.1, 0.1, 0.1, 0.08, 0.05};
+    static constexpr double kGap = 4.0;
     static bool isNumber(int column) { return (column >= 3 && column <= 5) || column == 7; }
 
     void layTitle() {
@@ -71,11 +70,50 @@ private:
             });
     }
 
+    Cells head() const {
+        const bool named =
+            std::ranges::any_of(job_.plans, [](const OrderedPlan& plan) { return !plan.planName.isEmpty(); });
+        return {PageWords::tr("Field"),   named ? PageWords::tr("Plan") : QString{},
+                PageWords::tr("Machine"), PageWords::tr("Area"),
+                PageWords::tr("Time"),    PageWords::tr("Driven"),
+                PageWords::tr("State"),   PageWords::tr("Page")};
+    }
+
+    /// Each column as wide as what is in it. Where that is too much, the widest of field, plan and machine
+    /// give way; what is left over goes to the field.
+    void placeColumns(const std::vector<int>& pages) {
+        const auto widen = [this](const Cells& cells, const TextLook& look) {
+            for (std::size_t i = 0; i < kColumns; ++i) {
+                if (!cells[i].isEmpty()) {
+                    room_[i] = std::max(room_[i], textWidthMm(cells[i], look));
+                }
+            }
+        };
+        widen(head(), kLabel);
+        widen(totals(), kBold);
+        for (std::size_t i = 0; i < job_.plans.size(); ++i) {
+            widen(cellsOf(job_.plans[i], pages[i]), kBody);
+        }
+        double left = flow_.width() - 2.0;
+        for (const double room : room_) {
+            left -= room > 0.0 ? room + kGap : 0.0;
+        }
+        left += kGap;
+        constexpr double kStep = 0.5;
+        while (left < 0.0) {
+            *std::max_element(room_.begin(), room_.begin() + 3) -= kStep;
+            left += kStep;
+        }
+        room_[0] += left;
+        double at = 0.0;
+        for (std::size_t i = 0; i < kColumns; ++i) {
+            edges_[i] = at + (isNumber(static_cast<int>(i)) ? room_[i] : 0.0);
+            at += room_[i] > 0.0 ? room_[i] + kGap : 0.0;
+        }
+    }
+
     void layHead() {
-        layRow(
-            {PageWords::tr("Field"), PageWords::tr("Plan"), PageWords::tr("Machine"), PageWords::tr("Area"),
-             PageWords::tr("Time"), PageWords::tr("Driven"), PageWords::tr("State"), PageWords::tr("Page")},
-            kLabel, false);
+        layRow(head(), kLabel, false);
         flow_.draw([y = flow_.y() - 0.8, x = flow_.left(), width = flow_.width()](Canvas& canvas) {
             canvas.line({x, y}, {x + width, y}, ink::kLine);
         });
@@ -95,20 +133,20 @@ private:
 
     void layRow(const Cells& cells, const TextLook& look, bool shaded) {
         const QRectF box = flow_.take(kRow);
-        flow_.draw([=](Canvas& canvas) {
+        flow_.draw([=, room = room_, edges = edges_](Canvas& canvas) {
             if (shaded) {
                 canvas.rectangle(box, ink::kGround);
             }
             for (int i = 0; i < kColumns; ++i) {
                 const auto column = static_cast<std::size_t>(i);
-                const double x = box.left() + 1.0 + kEdges[column] * (box.width() - 2.0);
-                canvas.text({x, box.top() + 4.2}, elided(cells[column], kRoom[column] * box.width(), look),
-                            look, isNumber(i) ? Qt::AlignRight : Qt::AlignLeft);
+                const double x = box.left() + 1.0 + edges[column];
+                canvas.text({x, box.top() + 4.2}, elided(cells[column], room[column] + 0.1, look), look,
+                            isNumber(i) ? Qt::AlignRight : Qt::AlignLeft);
             }
         });
     }
 
-    void layTotals() {
+    Cells totals() const {
         Area area;
         Duration time;
         Length path;
@@ -117,16 +155,21 @@ private:
             time += plan.sheet->figures.time;
             path += plan.sheet->figures.path;
         }
+        return {PageWords::tr("Total"), {}, {}, areaText(area), durationText(time), lengthText(path), {}, {}};
+    }
+
+    void layTotals() {
         flow_.need(2.0 * kRow);
         flow_.draw([y = flow_.y() + 0.3, x = flow_.left(), width = flow_.width()](Canvas& canvas) {
             canvas.line({x, y}, {x + width, y}, ink::kText, 0.3);
         });
-        layRow({PageWords::tr("Total"), {}, {}, areaText(area), durationText(time), lengthText(path), {}, {}},
-               kBold, false);
+        layRow(totals(), kBold, false);
     }
 
     const PrintJob& job_;
     PageFlow& flow_;
+    std::array<double, kColumns> room_{};   ///< mm; none for a column without a word
+    std::array<double, kColumns> edges_{};  ///< right edges of numbers, left edges of names
 };
 
 }  // namespace
