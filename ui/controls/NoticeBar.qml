@@ -7,18 +7,20 @@ Rectangle {
     required property string text
     property string remedy: ""
     property bool failed: false
+    /// It went well.
+    property bool good: false
 
     implicitWidth: 240
     implicitHeight: column.implicitHeight + 20
     radius: Theme.radius
-    color: failed ? Theme.failureGround : Theme.warningGround
+    color: failed ? Theme.failureGround : good ? Theme.softAccent : Theme.warningGround
     Accessible.role: Accessible.AlertMessage
     Accessible.name: root.text
 
     Rectangle {
         width: 3
         height: parent.height
-        color: root.failed ? Theme.failure : Theme.warning
+        color: root.failed ? Theme.failure : root.good ? Theme.accent : Theme.warning
     }
     Column {
         id: column

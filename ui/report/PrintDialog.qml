@@ -183,6 +183,7 @@ T.Popup {
                 width: parent.width
                 visible: root.printing.message.length > 0
                 failed: root.printing.state === Printing.Failed
+                good: root.printing.state === Printing.Done
                 text: root.printing.message
                 remedy: root.printing.remedy
             }

@@ -73,6 +73,7 @@ private slots:
         save(folder.filePath("map.svg"));
         QVERIFY(QFile::exists(folder.filePath("map.svg")));
         QTRY_VERIFY(shown("print.outcome"));
+        QVERIFY(item("print.outcome")->property("good").toBool());
 
         // Nothing of it has planned again; and it can be taken back.
         QCOMPARE(session_->planning()->state(), PlanState::Ready);
