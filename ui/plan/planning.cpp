@@ -67,6 +67,8 @@ Planning::Planning(Document& document, FieldOpener& opener, ShownPlan& shown, Pr
     connect(&shown_, &ShownPlan::planChanged, this, [this] { cells_.show(shown_.plan()); });
     connect(&problem_, &Problem::dismissed, this, &Planning::updateState);
     connect(&Display::instance(), &Display::changed, this, &Planning::updateState);
+    // Before there is a field: the one that it will get.
+    machine_.show(document_.project()->plan().machine);
     updateState();
 }
 

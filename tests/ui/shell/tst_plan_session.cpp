@@ -145,6 +145,9 @@ private slots:
         session.opener()->startNew();
         QCOMPARE(session.planning()->machine()->machine().id(), std::string{"trailed-sprayer"});
         QCOMPARE(session.planning()->machine()->machine().operatingWidth().si(), 20.0);
+        // And the next start shows it before there is a field.
+        Session next;
+        QCOMPARE(next.planning()->machine()->machine().id(), std::string{"trailed-sprayer"});
         QSettings{}.clear();
         QCoreApplication::setOrganizationName({});
     }
