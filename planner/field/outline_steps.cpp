@@ -198,6 +198,12 @@ public:
         return made;
     }
 
+    bool changes(const LocalFrame& frame, Length tolerance) const {
+        const Straightened made = straightened(frame, tolerance);
+        return made.old.size() != places_.size() ||
+               !std::ranges::all_of(made.old, &std::optional<std::size_t>::has_value);
+    }
+
 private:
     std::size_t next(std::size_t edge) const { return edge + 1 == size() ? 0 : edge + 1; }
     std::size_t before(std::size_t edge) const { return edge == 0 ? size() - 1 : edge - 1; }
@@ -312,7 +318,16 @@ Point nearestOn(const FieldSource& source, const LocalFrame& frame, Point point)
 
 std::optional<OutlineSteps> stepsOf(const FieldSource& source) {
     const auto frame = frameOf(source);
-    return frame ? stepsIn(steppedRings(source, *frame)) : std::nullopt;
+    if (!frame) {
+        return std::nullopt;
+    }
+    const std::vector<SteppedRing> rings = steppedRings(source, *frame);
+    auto steps = stepsIn(rings);
+    // Steps between edges that stay may be all that is left.
+    const bool stay = steps && std::ranges::none_of(rings, [&](const SteppedRing& ring) {
+                          return ring.changes(*frame, kNear * steps->height);
+                      });
+    return stay ? std::nullopt : steps;
 }
 
 Result<FieldSource> withStraightSteps(const FieldSource& source, const JobContext& job) {

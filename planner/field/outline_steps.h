@@ -15,7 +15,8 @@ struct OutlineSteps {
 };
 
 /// The steps of boundary and holes. Empty unless there are at least a dozen, no higher than 30 m, and two in
-/// five of all edges are risers: notches that somebody drew are no steps. Cost: O(n log n).
+/// five of all edges are risers: notches that somebody drew are no steps. Empty, too, where all of them stay
+/// as they are when the outline is made straight. Cost: O(n log n).
 std::optional<OutlineSteps> stepsOf(const FieldSource& source);
 
 /// Leads the outline through the middles of its steps, in straight lines where they come near enough. It

@@ -11,28 +11,35 @@ NoticeCard {
     property int fields: 1
     /// Of the fields for which it was closed.
     property list<string> closed: []
+    /// There is something to make straight in the current field.
+    readonly property bool offered: editor.outlineSteps > 0 && !closed.includes(editor.fieldId)
 
     objectName: "outlineSteps"
-    visible: !editor.drawing && editor.outlineSteps > 0 && !closed.includes(editor.fieldId)
+    visible: !editor.drawing && (offered || editor.stepsLeft.length > 0)
     failed: editor.stepsRefusal.length > 0
-    text: qsTr("The outline has %1 steps of about %2 %3, like the pixels of an image.").arg(editor.outlineSteps).arg(Display.quantities.text(editor.stepHeightM, QuantityText.Length, 1)).arg(Display.quantities.unit(QuantityText.Length))
-    remedy: failed ? editor.stepsRefusal : qsTr("No machine follows them. Straight edges lead through the middles of the steps.")
+    text: !offered ? editor.stepsLeft : qsTr("The outline has %1 steps of about %2 %3, like the pixels of an image.").arg(editor.outlineSteps).arg(Display.quantities.text(editor.stepHeightM, QuantityText.Length, 1)).arg(Display.quantities.unit(QuantityText.Length))
+    remedy: !offered ? qsTr("Made straight, their outlines would be refused. Open one of them to see why.") : [failed ? editor.stepsRefusal : qsTr("No machine follows them. Straight edges lead through the middles of the steps."), editor.stepsLeft].filter(part => part.length > 0).join(" ")
 
     PushButton {
         objectName: "outlineSteps.straighten"
+        visible: root.offered
         text: qsTr("Make them straight")
         onClicked: root.editor.straightenSteps(false)
     }
     PushButton {
         objectName: "outlineSteps.all"
-        visible: root.fields > 1
+        visible: root.offered && root.fields > 1
         text: qsTr("In all fields")
         onClicked: root.editor.straightenSteps(true)
     }
     PushButton {
         objectName: "outlineSteps.close"
         text: qsTr("Close")
-        onClicked: root.closed = root.closed.concat([root.editor.fieldId])
+        onClicked: {
+            if (root.offered)
+                root.closed = root.closed.concat([root.editor.fieldId]);
+            root.editor.forgetStepsLeft();
+        }
     }
 
     // The menu has the command, too: why it failed is told where the card was closed.

@@ -77,6 +77,9 @@ void FieldEditor::findSteps() {
         return;
     }
     stepsOf_ = source;
+    if (project().fields.size() < 2) {
+        stepsLeft_.clear();
+    }
     steps_ = source == nullptr ? std::nullopt : stepsOf(*source);
     stepsError_.reset();
     emit stepsChanged();

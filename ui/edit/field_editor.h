@@ -45,6 +45,8 @@ class FieldEditor : public QObject {
     Q_PROPERTY(int outlineSteps READ outlineSteps NOTIFY stepsChanged FINAL)
     Q_PROPERTY(double stepHeightM READ stepHeightM NOTIFY stepsChanged FINAL)
     Q_PROPERTY(QString stepsRefusal READ stepsRefusal NOTIFY stepsChanged FINAL)
+    /// Fields that stayed as they are when all were made straight, by name. Empty for none.
+    Q_PROPERTY(QString stepsLeft READ stepsLeft NOTIFY stepsChanged FINAL)
     Q_PROPERTY(QString fieldId READ fieldId NOTIFY stepsChanged FINAL)
     Q_PROPERTY(int selectedFinding READ selectedFinding NOTIFY selectionChanged FINAL)
 
@@ -90,6 +92,8 @@ public:
     double stepHeightM() const { return steps_ ? steps_->height.si() : 0.0; }
     /// Why the outline of the current field was refused with straight steps. Empty where it was not.
     QString stepsRefusal() const;
+    QString stepsLeft() const;
+    Q_INVOKABLE void forgetStepsLeft();
     QString fieldId() const { return QString::fromStdString(fieldId_); }
     int selectedCell() const {
         return selection_.kind == Selection::Kind::Cell ? static_cast<int>(selection_.index) : -1;
@@ -227,6 +231,7 @@ private:
     std::shared_ptr<const FieldSource> stepsOf_;  ///< whose steps are known
     std::optional<OutlineSteps> steps_;
     std::optional<Error> stepsError_;
+    QStringList stepsLeft_;
     GeoRing sketch_;
     std::optional<GeoPoint> cursor_;
     std::optional<ShapeHit> hovered_;

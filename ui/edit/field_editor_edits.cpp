@@ -5,6 +5,7 @@
 #include "ui/edit/field_editor.h"
 #include "ui/map/map_frame.h"
 #include "ui/text/message_text.h"
+#include "ui/text/unit_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -264,13 +265,40 @@ void FieldEditor::straightenSteps(bool all) {
     }
     // Asked for again, a refusal is told again.
     stepsError_.reset();
+    stepsLeft_.clear();
     emit stepsChanged();
     change(QT_TR_NOOP("Make steps straight"), withStraightSteps(project(), fields));
+    for (const std::size_t index : fields) {
+        const FieldSource& source = *project().fields[index]->source;
+        // The current one says its reason, too.
+        if (all && stepsOf(source) && !withStraightSteps(source)) {
+            stepsLeft_ << fromStd(source.name);
+        }
+    }
     if (steps_) {
         if (const auto straight = withStraightSteps(*project().field()->source); !straight) {
             stepsError_ = straight.error();
-            emit stepsChanged();
         }
+    }
+    emit stepsChanged();
+}
+
+QString FieldEditor::stepsLeft() const {
+    constexpr qsizetype kMost = 6;
+    if (stepsLeft_.isEmpty()) {
+        return {};
+    }
+    QString names = stepsLeft_.first(std::min(kMost, stepsLeft_.size())).join(QStringLiteral(", "));
+    if (stepsLeft_.size() > kMost) {
+        names += QStringLiteral(" …");
+    }
+    return tr("%n field(s) stay as they are: %1.", nullptr, static_cast<int>(stepsLeft_.size())).arg(names);
+}
+
+void FieldEditor::forgetStepsLeft() {
+    if (!stepsLeft_.isEmpty()) {
+        stepsLeft_.clear();
+        emit stepsChanged();
     }
 }
 

@@ -206,6 +206,23 @@ private slots:
         QVERIFY(farthestFrom({gate}, outerOf(straight)) < 0.01);
         QVERIFY(straight.gates[1].position == source.gates[1].position);
     }
+    /// Nothing is offered that would do nothing.
+    void stepsBetweenEdgesThatStayAreNone() {
+        FieldSource source = fieldOf(stairs(20, 4.0, 1.5));
+        QVERIFY(stepsOf(source));
+        // A headland of its own at every second step: of what lies between nothing is left out.
+        const std::size_t edges = source.parts.front().outer.size();
+        for (std::size_t edge = 0; edge < edges; edge += 4) {
+            source.edgeHeadlands.push_back({.part = 0, .ring = 0, .edge = edge, .width = metres(9.0)});
+        }
+        if (const auto straight = withStraightSteps(source).value();
+            straight.parts.front().outer.size() == source.parts.front().outer.size()) {
+            QVERIFY(!stepsOf(source));
+        } else {
+            QVERIFY(stepsOf(source));
+            QVERIFY(!stepsOf(straight));
+        }
+    }
     void holesAreMadeStraight() {
         FieldSource source = test::fieldSourceFromLocal({test::centredRectangle(300.0, 200.0)}, kCentre);
         Ring hole = traced(60.0, 40.0, 0.4, 1.5);

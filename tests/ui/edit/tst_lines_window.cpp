@@ -1,3 +1,4 @@
+#include "planner/io/import/boundary_import.h"
 #include "planner/machine/machine_library.h"
 #include "planner/plan/method_registry.h"
 #include "planner/project/project_edits.h"
@@ -117,6 +118,28 @@ private slots:
         QVERIFY(QMetaObject::invokeMethod(
             window_->findChild<QObject*>(QStringLiteral("command.straightenSteps")), "trigger"));
         QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
+    }
+    // One of two fields stays as it is: the card says which.
+    void fieldsThatStayAreNamed() {
+        session_->opener()->openUrls(
+            {QUrl::fromLocalFile(QStringLiteral(FURROW_SOURCE_DIR "/tests/data/stepped/one.geojson"))});
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps")));
+        const auto shaft = readBoundaries(FURROW_SOURCE_DIR "/tests/data/stepped/shaft.geojson");
+        QVERIFY(shaft.has_value());
+        FieldSource other = shaft->front();
+        other.id = "other";
+        other.name = "Shaft Field";
+        session_->document()->change([] { return QString{}; },
+                                     showing(withFields(*session_->document()->project(), {other}), 0, 0));
+        QTRY_VERIFY(shows(QStringLiteral("outlineSteps.all")));
+        click(QStringLiteral("outlineSteps.all"));
+        QTRY_VERIFY(!shows(QStringLiteral("outlineSteps.all")));
+        QVERIFY(shows(QStringLiteral("outlineSteps")));
+        QCOMPARE(item(QStringLiteral("outlineSteps"))->property("text").toString(),
+                 QStringLiteral("1 field stays as it is: Shaft Field."));
+        picture(QStringLiteral("outline_steps_left"));
+        click(QStringLiteral("outlineSteps.close"));
+        QTRY_VERIFY(!shows(QStringLiteral("outlineSteps")));
     }
     void stepsOfAllFieldsAreMadeStraight() {
         session_->opener()->openUrls(
