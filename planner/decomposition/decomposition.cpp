@@ -334,7 +334,7 @@ const Parameter kSplit{
     .key = "decomposition.split",
     .name = "Split lines",
     .description =
-        "Lines in WGS84 along which the field inside the headland is cut; they run right through it, or end no farther than an operating width "
+        "Lines along which the field inside the headland is cut; they run right through it, or end no farther than an operating width "
         "from its edge.",
     .kind = ParameterKind::Lines,
     .standard = {},

@@ -46,7 +46,7 @@ const Parameter kStep{.key = "swaths.step_deg",
 const Method<SwathGenerator> kBruteForceMethod{
     .info = {.id = "brute-force",
              .name = "Best of all headings",
-             .description = "Tries every heading in steps and keeps the best (the paper's search).",
+             .description = "Tries every heading in steps and keeps the best.",
              .parameters = kBruteForceParameters},
     .run = bruteForce,
     .traits = {.searchesHeadings = true}};

@@ -7,13 +7,13 @@ QtObject {
     readonly property real nameAt: 80
     readonly property real name: width - nameAt - machine - area - time - way - state
     readonly property real machineAt: nameAt + name
-    readonly property real machine: width > 700 ? 150 : 0
+    readonly property real machine: width > 700 ? Math.min(240, Math.max(176, 0.24 * width)) : 0
     readonly property real areaAt: machineAt + machine
-    readonly property real area: 78
+    readonly property real area: 72
     readonly property real timeAt: areaAt + area
-    readonly property real time: width > 560 ? 96 : 86
+    readonly property real time: width > 560 ? 92 : 86
     readonly property real wayAt: timeAt + time
-    readonly property real way: width > 560 ? 78 : 0
+    readonly property real way: width > 560 ? 74 : 0
     readonly property real stateAt: wayAt + way
     readonly property real state: 128
 }

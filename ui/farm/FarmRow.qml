@@ -24,6 +24,8 @@ T.ItemDelegate {
     /// The keys are on this row.
     property bool keyed: false
     readonly property bool fails: planState === FarmList.Problems || planState === FarmList.Failed
+    /// As on the map: what cannot be driven is a warning, what could not be planned a failure.
+    readonly property color stateColour: planState === FarmList.Failed ? Theme.failure : planState === FarmList.Problems || planState === FarmList.OutOfDate ? Theme.warning : Theme.ink
     readonly property string second: [plan, columns.machine > 0 ? "" : machine, hint].filter(part => part.length > 0).join(" · ")
     signal picked(how: int)
     signal opened()
@@ -131,7 +133,7 @@ T.ItemDelegate {
                 height: 9
                 radius: root.fails ? 1 : 4.5
                 rotation: root.fails ? 45 : 0
-                color: root.planState === FarmList.Drivable ? Theme.accent : root.fails ? Theme.failure : root.planState === FarmList.OutOfDate ? Theme.warning : "transparent"
+                color: root.planState === FarmList.Drivable ? Theme.accent : root.fails || root.planState === FarmList.OutOfDate ? root.stateColour : "transparent"
                 border.width: color.a > 0 ? 0 : 1.4
                 border.color: Theme.muted
             }
@@ -139,7 +141,7 @@ T.ItemDelegate {
                 width: root.columns.state - 22
                 text: root.stateText
                 elide: Text.ElideRight
-                color: root.fails ? Theme.failure : root.planState === FarmList.OutOfDate ? Theme.warning : Theme.ink
+                color: root.stateColour
             }
         }
         MouseArea {

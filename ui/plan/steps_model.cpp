@@ -228,7 +228,9 @@ void StepsModel::show(const StepsContent& content) {
         }
     }
     showCheck(steps_[steps_.size() - 2], content);
-    steps_.back().status = finished ? Status::Good : Status::None;
+    steps_.back().status = !finished                              ? Status::None
+                           : content.state == PlanState::Problems ? Status::Warning
+                                                                  : Status::Good;
     steps_.back().choice = finished ? tr("To a stick, to files or on paper")
                            : content.state == PlanState::Failed || content.state == PlanState::Empty
                                ? tr("No plan to export yet")

@@ -173,8 +173,11 @@ Rectangle {
             Title {
                 id: findingsTitle
 
+                readonly property int others: root.findings.toLookAt - root.findings.blocking
+
+                objectName: "findings.title"
                 visible: root.findings.toLookAt > 0
-                text: qsTr("%n finding(s)", "", root.findings.toLookAt)
+                text: root.findings.blocking === 0 ? qsTr("%n finding(s)", "", others) : [qsTr("%n problem(s)", "", root.findings.blocking), others > 0 ? qsTr("%n to look at", "", others) : ""].filter(part => part.length > 0).join(" · ")
             }
             BodyText {
                 objectName: "noFindings"

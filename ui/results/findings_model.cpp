@@ -75,6 +75,11 @@ void FindingsModel::setAll(bool all) {
     emit allChanged();
 }
 
+int FindingsModel::blocking() const {
+    return static_cast<int>(std::ranges::count_if(
+        findings_, [](const Finding& finding) { return weightOf(finding) == Weight::Blocks; }));
+}
+
 int FindingsModel::toLookAt() const {
     return static_cast<int>(std::ranges::count_if(
         findings_, [](const Finding& finding) { return weightOf(finding) != Weight::Information; }));

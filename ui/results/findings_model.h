@@ -19,6 +19,8 @@ class FindingsModel : public QAbstractListModel {
     QML_UNCREATABLE("belongs to a session")
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
     Q_PROPERTY(int toLookAt READ toLookAt NOTIFY countChanged FINAL)
+    /// Of those, the ones that are in the way of driving.
+    Q_PROPERTY(int blocking READ blocking NOTIFY countChanged FINAL)
     /// Rows of all findings.
     Q_PROPERTY(int rows READ rows NOTIFY countChanged FINAL)
     /// Rows for all findings, or for the first few only: a plan may have hundreds while a value is dragged.
@@ -57,6 +59,7 @@ public:
     int count() const { return static_cast<int>(findings_.size()); }
     /// Those that are more than information.
     int toLookAt() const;
+    int blocking() const;
     bool showsAll() const { return all_; }
     void setAll(bool all);
     int few() const { return 4; }

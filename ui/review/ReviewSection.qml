@@ -115,7 +115,7 @@ Column {
             objectName: "review.text"
             width: parent.width
             name: qsTr("Comment")
-            placeholderText: qsTr("What should be seen to?")
+            placeholderText: qsTr("What should be changed here?")
             onAccepted: root.finish()
         }
         TextEntry {

@@ -2,6 +2,7 @@ import QtQuick
 import QtQuick.Layouts
 import Furrow.Commands
 import Furrow.Controls
+import Furrow.Plan
 import Furrow.Settings
 
 /// Where the user is, and what is needed everywhere.
@@ -171,7 +172,8 @@ Rectangle {
             objectName: "exportButton"
             Layout.leftMargin: 4
             text: qsTr("Export")
-            primary: true
+            // There is nothing to take where there is no plan.
+            primary: root.session.planning.state !== PlanState.Failed
             // What cannot be exported is told there, and why.
             enabled: root.session.farm.hasField
             onClicked: root.commands.exportRequested()

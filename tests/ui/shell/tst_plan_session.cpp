@@ -523,7 +523,7 @@ private slots:
                     .state = PlanState::Problems});
         for (int row = 0; row < steps.rowCount(); ++row) {
             const QString id = steps.index(row).data(StepsModel::StepIdRole).toString();
-            const bool warned = id == step || id == QStringLiteral("check");
+            const bool warned = id == step || id == QStringLiteral("check") || id == QStringLiteral("export");
             QCOMPARE(steps.index(row).data(StepsModel::StatusRole).toInt(),
                      static_cast<int>(warned ? StepsModel::Status::Warning : StepsModel::Status::Good));
             QCOMPARE(steps.index(row)
