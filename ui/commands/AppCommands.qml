@@ -32,6 +32,7 @@ QtObject {
     signal exportRequested()
     signal printRequested()
     signal bestPlanRequested()
+    signal orderRequested()
     signal findingRequested(by: int)
     signal findingOfKindRequested(by: int)
     signal commentRequested(atPlace: bool)
@@ -122,6 +123,7 @@ QtObject {
         },
         Command {
             objectName: "command.addImagery"
+            ruled: true
             group: root.fileGroup
             text: qsTr("Add imagery…")
             keywords: qsTr("GeoTIFF MBTiles aerial photo satellite background heights elevation")
@@ -136,6 +138,7 @@ QtObject {
         },
         Command {
             objectName: "command.save"
+            ruled: true
             group: root.fileGroup
             text: qsTr("Save")
             shortcut: "Ctrl+S"
@@ -151,6 +154,7 @@ QtObject {
         },
         Command {
             objectName: "command.export"
+            ruled: true
             group: root.fileGroup
             text: qsTr("Export the plan…")
             shortcut: "Ctrl+E"
@@ -169,6 +173,7 @@ QtObject {
         },
         Command {
             objectName: "command.quit"
+            ruled: true
             group: root.fileGroup
             text: qsTr("Quit")
             shortcut: "Ctrl+Q"
@@ -196,6 +201,7 @@ QtObject {
         },
         Command {
             objectName: "command.delete"
+            ruled: true
             group: root.editGroup
             text: qsTr("Delete what is selected")
             keysText: qsTr("Del")
@@ -228,6 +234,7 @@ QtObject {
         },
         Command {
             objectName: "command.palette"
+            ruled: true
             group: root.editGroup
             text: qsTr("Find a command…")
             shortcut: "Ctrl+K"
@@ -250,6 +257,7 @@ QtObject {
         },
         ToolCommand {
             objectName: "command.hole"
+            ruled: true
             tool: FieldEditor.Hole
             text: qsTr("Draw a hole")
             shortcut: "H"
@@ -284,6 +292,7 @@ QtObject {
         },
         Command {
             objectName: "command.select"
+            ruled: true
             group: root.fieldGroup
             text: qsTr("Select and change")
             shortcut: "V"
@@ -299,6 +308,7 @@ QtObject {
         },
         Command {
             objectName: "command.renameField"
+            ruled: true
             group: root.fieldGroup
             text: qsTr("Rename the field…")
             enabled: root.farm.hasField
@@ -314,6 +324,7 @@ QtObject {
         },
         Command {
             objectName: "command.nextField"
+            ruled: true
             group: root.fieldGroup
             text: qsTr("Next field")
             shortcut: "Ctrl+PgDown"
@@ -339,6 +350,7 @@ QtObject {
         },
         Command {
             objectName: "command.compare"
+            ruled: true
             group: root.planGroup
             text: qsTr("Compare with another plan")
             shortcut: "Ctrl+D"
@@ -367,6 +379,7 @@ QtObject {
         },
         Command {
             objectName: "command.renamePlan"
+            ruled: true
             group: root.planGroup
             text: qsTr("Rename the plan…")
             enabled: root.farm.hasField
@@ -382,6 +395,7 @@ QtObject {
         },
         Command {
             objectName: "command.planAgain"
+            ruled: true
             group: root.planGroup
             text: qsTr("Plan again")
             shortcut: "F5"
@@ -398,7 +412,16 @@ QtObject {
             onTriggered: root.bestPlanRequested()
         },
         Command {
+            objectName: "command.order"
+            group: root.planGroup
+            text: qsTr("Change the order by hand…")
+            keywords: qsTr("order swaths list drag sequence")
+            enabled: root.planning.order.count > 1
+            onTriggered: root.orderRequested()
+        },
+        Command {
             objectName: "command.drive"
+            ruled: true
             group: root.planGroup
             name: qsTr("Drive through the plan")
             text: root.drive.playing ? qsTr("Pause the drive") : name
@@ -456,6 +479,7 @@ QtObject {
         },
         Command {
             objectName: "command.commentPlace"
+            ruled: true
             group: root.planGroup
             text: qsTr("Comment on a place…")
             shortcut: "Ctrl+M"
@@ -489,6 +513,7 @@ QtObject {
         },
         Command {
             objectName: "command.nextFinding"
+            ruled: true
             group: root.planGroup
             text: qsTr("Next finding")
             shortcut: "F8"
@@ -525,6 +550,7 @@ QtObject {
         },
         Command {
             objectName: "command.fit"
+            ruled: true
             group: root.viewGroup
             text: qsTr("Show the whole field")
             shortcut: "F"
@@ -556,6 +582,7 @@ QtObject {
         },
         Command {
             objectName: "command.steps"
+            ruled: true
             group: root.viewGroup
             text: qsTr("Steps")
             shortcut: "F7"
@@ -595,6 +622,7 @@ QtObject {
         LayerCommand { layer: "findings"; text: qsTr("Layer: findings") },
         Command {
             objectName: "command.preferences"
+            ruled: true
             group: root.viewGroup
             text: qsTr("Language and units…")
             shortcut: "Ctrl+,"
@@ -654,6 +682,7 @@ QtObject {
         },
         Command {
             objectName: "command.trouble"
+            ruled: true
             group: root.helpGroup
             text: qsTr("Report a problem…")
             keywords: qsTr("bug crash support error")
@@ -661,6 +690,7 @@ QtObject {
         },
         Command {
             objectName: "command.about"
+            ruled: true
             group: root.helpGroup
             text: qsTr("About Furrow")
             keywords: qsTr("version licence credits")

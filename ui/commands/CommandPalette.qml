@@ -165,13 +165,19 @@ T.Popup {
     function matching(text: string): var {
         if (text.length === 0 && root.hint.length > 0)
             return [];
-        const words = text.toLowerCase().split(/\s+/).filter(word => word.length > 0);
+        const plain = text => text.toLowerCase().replace(/…|\.\.\.|⋯/g, " ").replace(/\s+/g, " ").trim();
+        const wanted = plain(text);
+        const words = wanted.split(" ").filter(word => word.length > 0);
         const all = words.length > 0 ? [...root.commands, ...root.entries] : [...root.commands];
-        const about = one => (one.name + " " + root.groupOf(one) + " " + one.keywords).toLowerCase();
+        const about = one => plain(one.name + " " + root.groupOf(one) + " " + one.keywords);
         const fits = all.filter(one => words.every(word => about(one).includes(word)));
-        // Commands come before settings, what can be run before the rest; then those whose name begins so.
-        const nameRank = name => words.length === 0 || name.startsWith(words[0]) ? 0 : words.every(word => name.includes(word)) ? 1 : 2;
-        const rank = one => ((one.enabled ?? true) ? 0 : 6) + (one instanceof Command ? 0 : 3) + nameRank(one.name.toLowerCase());
+        // What is called just so comes first. Then what can be run, by how near its name is; of equally near ones
+        // commands come before settings.
+        const nameRank = name => words.length === 0 || name === wanted ? 0 : name.startsWith(wanted) ? 1 : words.every(word => (" " + name.replace(/[\s:·.,()\/–—-]+/g, " ")).includes(" " + word)) ? 2 : words.every(word => name.includes(word)) ? 3 : 4;
+        const rank = one => {
+            const near = nameRank(plain(one.name));
+            return 2 * near + (one instanceof Command ? 0 : 1) + ((one.enabled ?? true) || (near === 0 && words.length > 0) ? 0 : 10);
+        };
         const place = root.placeEntry(text);
         return [...fits.map((one, index) => [rank(one), index, one]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]), ...(place ? [place] : [])];
     }

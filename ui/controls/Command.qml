@@ -6,6 +6,8 @@ T.Action {
     required property CommandGroup group
     /// In this menu of that menu.
     property CommandGroup submenu: null
+    /// In menus a line parts it from the one before.
+    property bool ruled: false
     /// What it is called wherever that says nothing of the moment.
     property string name: text
     /// Found by these words, too.

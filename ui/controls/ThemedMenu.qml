@@ -15,6 +15,7 @@ T.Menu {
         NumberAnimation { property: "opacity"; from: 0; to: 1; duration: Theme.motion }
     }
     delegate: ThemedMenuItem {}
+    onAboutToShow: root.giveLetters()
     background: Rectangle {
         radius: Theme.radius
         color: Theme.panel
@@ -24,9 +25,17 @@ T.Menu {
         SoftShadow { radius: Theme.radius }
     }
     contentItem: ListView {
+        // The letters come here.
+        focus: true
         implicitHeight: contentHeight
         model: root.contentModel
         interactive: contentHeight > height + 1
+        Keys.onPressed: event => {
+            const item = event.modifiers & (Qt.ControlModifier | Qt.MetaModifier) ? null : root.itemOfLetter(event.text);
+            event.accepted = item !== null;
+            if (item)
+                Qt.callLater(() => item.click());
+        }
         clip: true
         currentIndex: root.currentIndex
 
@@ -42,6 +51,25 @@ T.Menu {
         }
     }
 
+    /// Each entry that can be run by a letter gets the first of its text that none before it has.
+    function giveLetters(): void {
+        const taken = [];
+        for (let i = 0; i < root.count; ++i) {
+            const item = root.itemAt(i) as ThemedMenuItem;
+            if (!item)
+                continue;
+            item.letter = [...item.text.toLowerCase()].find(letter => (letter !== letter.toUpperCase() || /[0-9]/.test(letter)) && !taken.includes(letter)) ?? "";
+            taken.push(item.letter);
+        }
+    }
+    function itemOfLetter(letter: string): ThemedMenuItem {
+        for (let i = 0; letter.length > 0 && i < root.count; ++i) {
+            const item = root.itemAt(i) as ThemedMenuItem;
+            if (item && item.enabled && item.letter === letter.toLowerCase())
+                return item;
+        }
+        return null;
+    }
     function widest(): real {
         let width = 0;
         for (let i = 0; i < root.count; ++i)

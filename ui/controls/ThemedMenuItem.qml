@@ -6,9 +6,17 @@ T.MenuItem {
     id: root
 
     readonly property string keysText: action?.keysText ?? ""
+    /// A line parts it from the one before.
+    readonly property bool ruled: action?.ruled ?? false
+    /// The key that runs it while the menu is open; in small. Set by the menu.
+    property string letter: ""
+    readonly property int letterAt: letter.length > 0 ? text.toLowerCase().indexOf(letter) : -1
+    readonly property real room: ruled ? 9 : 0
 
     implicitWidth: Math.max(272, 28 + label.implicitWidth + 12 + keys.implicitWidth + 34)
-    implicitHeight: Theme.controlHeight
+    implicitHeight: Theme.controlHeight + room
+    topPadding: room
+    topInset: room
     Accessible.name: root.text
 
     background: Rectangle {
@@ -17,6 +25,19 @@ T.MenuItem {
         border.width: root.highlighted && Theme.sunlight ? 2 : 0
         border.color: Theme.accent
     }
+    Rectangle {
+        x: 8
+        y: 4
+        width: parent.width - 16
+        height: Theme.hairline
+        visible: root.ruled
+        color: Theme.line
+    }
+
+    function plain(text: string): string {
+        return text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
+    }
+
     contentItem: Item {
         opacity: root.enabled ? 1 : 0.45
 
@@ -33,7 +54,8 @@ T.MenuItem {
             id: label
 
             anchors { left: parent.left; leftMargin: 28; right: keys.left; rightMargin: 12; verticalCenter: parent.verticalCenter }
-            text: root.text
+            text: root.letterAt < 0 ? root.text : root.plain(root.text.slice(0, root.letterAt)) + "<u>" + root.plain(root.text[root.letterAt]) + "</u>" + root.plain(root.text.slice(root.letterAt + 1))
+            textFormat: root.letterAt < 0 ? Text.PlainText : Text.StyledText
             elide: Text.ElideRight
         }
         BodyText {

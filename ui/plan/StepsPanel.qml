@@ -99,6 +99,11 @@ Rectangle {
                 root.openStep = stepId;
         }
     }
+    /// Opens the list of swaths.
+    function changeOrder(): void {
+        root.openSetting("route", "order.begin");
+        root.planning.order.pointing = true;
+    }
     function focusWanted(step: Item): void {
         if (root.wantedKey.length === 0)
             return;

@@ -147,6 +147,10 @@ ApplicationWindow {
             printDialog.open();
         }
         onBestPlanRequested: bestPlanDialog.open()
+        onOrderRequested: {
+            root.stepsWanted = true;
+            steps.changeOrder();
+        }
         onFindingRequested: by => root.stepFinding(by)
         onFindingOfKindRequested: by => root.showAndGoTo(root.session.findings.nextOfKind(root.currentFinding, by))
         onCommentRequested: atPlace => root.comment(atPlace)

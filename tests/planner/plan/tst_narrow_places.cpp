@@ -29,9 +29,7 @@ class TestNarrowPlaces : public QObject {
         return test::fieldSourceFromLocal({Polygon{.outer = outline, .holes = {}}},
                                           {.lonDeg = 9.0, .latDeg = 52.0});
     }
-    static Machine cultivator() {
-        return *std::ranges::find(machineLibrary(), "cultivator", &Machine::id);
-    }
+    static Machine cultivator() { return *std::ranges::find(machineLibrary(), "cultivator", &Machine::id); }
     static std::shared_ptr<const Plan> planOf(const FieldSource& source) {
         return planOfSource(source, cultivator(), {}, {}).value();
     }

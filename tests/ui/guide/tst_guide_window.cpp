@@ -117,6 +117,29 @@ private slots:
         click(rowOf(finding));
         QTRY_COMPARE(editor()->selectedFinding(), 0);
     }
+    void whatIsCalledJustSoComesFirst() {
+        DRAW_FIELD();
+        for (const auto& [words, first] :
+             {std::pair{QStringLiteral("first swath"), QStringLiteral("First swath")},
+              {QStringLiteral("passes"), QStringLiteral("Passes")},
+              {QStringLiteral("change the order by hand..."), QStringLiteral("Change the order by hand…")},
+              {QStringLiteral("plan ag"), QStringLiteral("Plan again")},
+              {QStringLiteral("drive slow"), QStringLiteral("Drive slower")}}) {
+            key(Qt::Key_K, Qt::ControlModifier);
+            QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());
+            type(words);
+            QTRY_VERIFY(shows(QStringLiteral("palette.row.0")));
+            QTRY_COMPARE(item(QStringLiteral("palette.row.0"))->property("text").toString(), first);
+            key(Qt::Key_Escape);
+            QTRY_VERIFY(!shows(QStringLiteral("palette.field")));
+        }
+        // It leads to the list of the swaths.
+        key(Qt::Key_K, Qt::ControlModifier);
+        type(QStringLiteral("order by hand"));
+        QTRY_VERIFY(shows(QStringLiteral("palette.row.0")));
+        key(Qt::Key_Return);
+        QTRY_VERIFY(shows(QStringLiteral("order.list")));
+    }
     void aSampleIsFoundBeforeThereIsAField() {
         key(Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY(item(QStringLiteral("palette.field"))->hasActiveFocus());

@@ -1,8 +1,11 @@
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/editor_window_test.h"
+#include "ui/text/display.h"
 
 #include <QColor>
+
+#include <QSet>
 
 #include <memory>
 #include <vector>
@@ -138,6 +141,61 @@ private slots:
         // The layers stand in a menu of their own.
         QVERIFY(!shows(QStringLiteral("command.layer.swaths.item")));
         key(Qt::Key_Escape);
+    }
+    /// An entry's letter is its own, in every language; groups stand apart.
+    void menusByLetters() {
+        DRAW_FIELD();
+        key(Qt::Key_H, Qt::AltModifier);
+        QTRY_VERIFY(shows(QStringLiteral("command.guide.item")));
+        QCOMPARE(item(QStringLiteral("command.guide.item"))->property("letter").toString(),
+                 QStringLiteral("g"));
+        QVERIFY(item(QStringLiteral("command.trouble.item"))->property("ruled").toBool());
+        QVERIFY(item(QStringLiteral("command.trouble.item"))->height() >
+                item(QStringLiteral("command.keys.item"))->height());
+        waitForRest(*item(QStringLiteral("command.trouble.item")));
+        QTest::qWait(300);
+        picture(QStringLiteral("menu_letters"));
+        key(Qt::Key_G);
+        QTRY_VERIFY(shows(QStringLiteral("guidePanel")));
+        QVERIFY(!shows(QStringLiteral("command.guide.item")));
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("guidePanel")));
+        // Into a menu of a menu, and its first entry.
+        key(Qt::Key_V, Qt::AltModifier);
+        QTRY_VERIFY(shows(QStringLiteral("command.preferences.item")));
+        key(Qt::Key_W);
+        QTRY_VERIFY(shows(QStringLiteral("command.layer.imagery.item")));
+        picture(QStringLiteral("menu_of_a_menu"));
+        key(Qt::Key_Escape);
+        key(Qt::Key_Escape);
+        QTRY_VERIFY(!shows(QStringLiteral("command.preferences.item")));
+        for (const char* language : {"en", "de", "fr"}) {
+            furrow::Display::instance().force(QString::fromLatin1(language), furrow::Display::Metric);
+            key(Qt::Key_F10);
+            QTRY_VERIFY(shows(QStringLiteral("command.new.item")));
+            for (const char* first : {"new", "undo", "draw", "addPlan", "fit", "guide"}) {
+                const QString name = QStringLiteral("command.%1.item").arg(QLatin1String{first});
+                QTRY_VERIFY(shows(name));
+                QSet<QString> letters;
+                int entries = 0;
+                int without = 0;
+                for (const QQuickItem* entry : item(name)->parentItem()->childItems()) {
+                    if (const QVariant letter = entry->property("letter"); letter.isValid()) {
+                        ++entries;
+                        without += letter.toString().isEmpty() ? 1 : 0;
+                        letters << letter.toString();
+                    }
+                }
+                QVERIFY(entries > 3);
+                // In a long menu the letters may run out for the last ones.
+                letters.remove(QString{});
+                QVERIFY2(letters.size() + without == entries && without <= 4, language);
+                key(Qt::Key_Right);
+            }
+            key(Qt::Key_Escape);
+            QTRY_VERIFY(!shows(QStringLiteral("command.new.item")));
+        }
+        furrow::Display::instance().force(QStringLiteral("en"), furrow::Display::Metric);
     }
 };
 
