@@ -79,7 +79,7 @@ struct PlanGeometry {
     FillMesh wheels;  ///< driven over often
     LineMesh swaths;
     LineMesh beyondSwaths;  ///< ways of the machine from the end of a swath to where it lifts the implement
-    LineMesh tramlines;  ///< of these, those that are driven on again
+    LineMesh tramlines;     ///< of these, those that are driven on again
     double swathSpacing = 0.0;
     std::vector<PathChunk> chunks;
     std::vector<PathLine> segments;                         ///< of the path
