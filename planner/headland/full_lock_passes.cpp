@@ -1,15 +1,14 @@
 #include "planner/headland/full_lock_passes.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/nearest_on_edges.h"
 #include "planner/geometry/polygon_memo.h"
-#include "planner/geometry/segment.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <numbers>
@@ -168,19 +167,6 @@ Result<FullLockPasses> FullLockPasses::of(const AllowedAreas& areas, const Rig& 
         });
 }
 
-std::optional<Point> FullLockPasses::nearestMiddle(Point place) const {
-    std::optional<Point> nearest;
-    double nearestM = std::numeric_limits<double>::infinity();
-    forEachEdge(middles_, [&](Point from, Point to) {
-        const Point point = nearestOnSegment(place, from, to);
-        if (const double awayM = distance(place, point); awayM < nearestM) {
-            nearestM = awayM;
-            nearest = point;
-        }
-    });
-    return nearest;
-}
-
 namespace {
 
 /// A line with its gain.
@@ -289,7 +275,7 @@ public:
     std::vector<Point> middles() const {
         std::vector<Point> found;
         const auto add = [&](Point near) {
-            const auto middle = passes_.nearestMiddle(near);
+            const auto middle = nearestOnEdges(passes_.middles_, near);
             if (middle && std::ranges::none_of(
                               found, [&](Point other) { return distance(*middle, other) < kSameMiddleM; })) {
                 found.push_back(*middle);

@@ -76,7 +76,6 @@ private:
     std::shared_ptr<Piece> tried(const Polygon& piece) const;
 
     std::optional<BentPass> worked(Curve line, const JobContext& job) const;
-    std::optional<Point> nearestMiddle(Point place) const;
 
     const Rig* lowered_;
     PassAccessFinder access_;

@@ -1,10 +1,7 @@
 #include "planner/plan/narrow_places.h"
 
 #include "planner/geometry/geos_bridge.h"
-#include "planner/geometry/segment.h"
-
-#include <algorithm>
-#include <limits>
+#include "planner/geometry/nearest_on_edges.h"
 
 namespace furrow {
 
@@ -13,30 +10,12 @@ namespace {
 // Of half a disc's width. The corner of a square is 1.41 from the middle of a disc that lies in it.
 constexpr double kCornerReach = 1.6;
 
-Point nearestOn(const MultiPolygon& polygons, Point place) {
-    if (isInside(polygons, place)) {
-        return place;
-    }
-    Point nearest = place;
-    double least = std::numeric_limits<double>::infinity();
-    const auto look = [&](const Ring& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point at = nearestOnSegment(place, ring[i], ring[(i + 1) % ring.size()]);
-            if (const double away = distance(place, at); away < least) {
-                least = away;
-                nearest = at;
-            }
-        }
-    };
-    for (const Polygon& polygon : polygons) {
-        look(polygon.outer);
-        std::ranges::for_each(polygon.holes, look);
-    }
-    return nearest;
+Point nearestIn(const MultiPolygon& polygons, Point place) {
+    return isInside(polygons, place) ? place : nearestOnEdges(polygons, place).value_or(place);
 }
 
 bool isNarrow(const MultiPolygon& fits, Length width, Point place) {
-    return fits.empty() || distance(nearestOn(fits, place), place) > kCornerReach * 0.5 * width.si();
+    return fits.empty() || distance(nearestIn(fits, place), place) > kCornerReach * 0.5 * width.si();
 }
 
 }  // namespace
@@ -58,7 +37,7 @@ Result<NarrowPlaces> NarrowPlaces::of(const Plan& plan, const JobContext& job) {
 }
 
 Message NarrowPlaces::reasonAt(Point place) const {
-    const Point inside = nearestOn(area_, place);
+    const Point inside = nearestIn(area_, place);
     if (isNarrow(machineFits_, machineWidth_, inside)) {
         return message(
             "The field is narrower here than this machine, which takes {:.1f} m: leave this strip "
