@@ -171,12 +171,14 @@ T.Popup {
         const all = words.length > 0 ? [...root.commands, ...root.entries] : [...root.commands];
         const about = one => plain(one.name + " " + root.groupOf(one) + " " + one.keywords);
         const fits = all.filter(one => words.every(word => about(one).includes(word)));
-        // What is called just so comes first. Then what can be run, by how near its name is; of equally near ones
-        // commands come before settings.
+        // What is called just so comes first. Then what can be run, commands before settings, by how near the name is.
         const nameRank = name => words.length === 0 || name === wanted ? 0 : name.startsWith(wanted) ? 1 : words.every(word => (" " + name.replace(/[\s:·.,()\/–—-]+/g, " ")).includes(" " + word)) ? 2 : words.every(word => name.includes(word)) ? 3 : 4;
         const rank = one => {
             const near = nameRank(plain(one.name));
-            return 2 * near + (one instanceof Command ? 0 : 1) + ((one.enabled ?? true) || (near === 0 && words.length > 0) ? 0 : 10);
+            const isCommand = one instanceof Command;
+            if (near === 0 && words.length > 0)
+                return isCommand ? 0 : 1;
+            return near + (isCommand ? 1 : 4) + ((one.enabled ?? true) ? 0 : 10);
         };
         const place = root.placeEntry(text);
         return [...fits.map((one, index) => [rank(one), index, one]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(entry => entry[2]), ...(place ? [place] : [])];
