@@ -84,6 +84,8 @@ void TestDriveWindow::allWorkedLandIsDrawn() {
     openSample("Slanted Field");
     QTRY_VERIFY(drive().isAvailable());
     take("trailed-sprayer");
+    // Handles of the outline show where the pointer is near.
+    QTest::mouseMove(window_, middleOf(*item("drive.play")));
     const double endS = drive().duration();
     drive().setTime(0.5 * endS);
     drive().setTime(endS);
