@@ -2,6 +2,7 @@
 #include "tests/support/large_data.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/window/next_frame.h"
 #include "tests/ui/window/window_test.h"
 
 #include <QFile>
@@ -67,13 +68,13 @@ class TestImageryWindow : public WindowTest {
     void printCost(const char* what) {
         constexpr int kFrames = 40;
         for (int i = 0; i < 4; ++i) {
-            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            NextFrame frame{*window_};
             camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, 3.0);
             QVERIFY(frame.wait());
         }
         const std::clock_t begin = std::clock();
         for (int i = 0; i < kFrames; ++i) {
-            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            NextFrame frame{*window_};
             camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, i % 4 < 2 ? 3.0 : -3.0);
             QVERIFY(frame.wait());
         }
@@ -124,7 +125,7 @@ class TestImageryWindow : public WindowTest {
             for (int i = 0; i < kAcross * kAcross; ++i) {
                 const QGeoCoordinate corner = area.bottomLeft();
                 const int row = i / kAcross;
-                QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+                NextFrame frame{*window_};
                 camera()->centreOn({corner.latitude() + area.height() * (row + 0.5) / kAcross,
                                     corner.longitude() + area.width() * (i % kAcross + 0.5) / kAcross},
                                    zoom, false);

@@ -3,6 +3,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/frame_clock.h"
+#include "tests/ui/window/next_frame.h"
 #include "tests/ui/window/window_test.h"
 
 #include <QDragEnterEvent>
@@ -238,7 +239,7 @@ private slots:
         constexpr int kFrames = 60;
         const std::clock_t begin = std::clock();
         for (int i = 0; i < kFrames; ++i) {
-            QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
+            NextFrame frame{*window_};
             camera()->panBy(i % 2 == 0 ? 7.0 : -6.0, 3.0);
             QVERIFY(frame.wait());
         }
