@@ -2644,10 +2644,6 @@
         <translation>%1 Spuren und Wendungen verlassen den Schlag oder queren ein Hindernis, um bis zu %2, wie in diesem Plan erlaubt.</translation>
     </message>
     <message>
-        <source>%1 would save %2 by the estimate, but not as driven</source>
-        <translation>%1 würde nach der Schätzung %2 sparen, gefahren aber nicht</translation>
-    </message>
-    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 ist kein Längen- und Breitengrad</translation>
     </message>

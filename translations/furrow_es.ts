@@ -2644,10 +2644,6 @@
         <translation>%1 pasadas y giros salen de la parcela o invaden un obstáculo, en %2 como mucho, como permite este plan.</translation>
     </message>
     <message>
-        <source>%1 would save %2 by the estimate, but not as driven</source>
-        <translation>%1 ahorraría %2 según la estimación, pero no al conducir</translation>
-    </message>
-    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 no es longitud y latitud</translation>
     </message>

@@ -2644,10 +2644,6 @@
         <translation>%1 passages et demi-tours sortent de la parcelle ou empiètent sur un obstacle, de %2 au plus, comme ce plan le permet.</translation>
     </message>
     <message>
-        <source>%1 would save %2 by the estimate, but not as driven</source>
-        <translation>%1 ferait gagner %2 selon l’estimation, mais pas en conduisant</translation>
-    </message>
-    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 n&apos;est pas une longitude et une latitude</translation>
     </message>

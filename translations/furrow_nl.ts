@@ -2644,10 +2644,6 @@
         <translation>%1 werkgangen en draaien komen buiten het perceel of gaan over een obstakel, tot %2, zoals dit plan toestaat.</translation>
     </message>
     <message>
-        <source>%1 would save %2 by the estimate, but not as driven</source>
-        <translation>%1 zou volgens de schatting %2 besparen, maar gereden niet</translation>
-    </message>
-    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 is geen lengte- en breedtegraad</translation>
     </message>

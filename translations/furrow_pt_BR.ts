@@ -2644,10 +2644,6 @@
         <translation>%1 passadas e manobras saem do talhão ou avançam sobre um obstáculo, em até %2, como este plano permite.</translation>
     </message>
     <message>
-        <source>%1 would save %2 by the estimate, but not as driven</source>
-        <translation>%1 economizaria %2 pela estimativa, mas não ao conduzir</translation>
-    </message>
-    <message>
         <source>%1, %2 is no longitude and latitude</source>
         <translation>%1, %2 não é longitude e latitude</translation>
     </message>

@@ -299,8 +299,8 @@ public:
             for (const double inwardsM : kInwardsM) {
                 const Point around = middle + inwardsM * inwards;
                 for (int i = 0; i < 2 * kBegins; ++i) {
-                    const Angle begin =
-                        radians(2.0 * std::numbers::pi * (i / 2) / kBegins);  // both sides at each
+                    const Angle begin = radians(2.0 * std::numbers::pi * static_cast<double>(i / 2) /
+                                                kBegins);  // both sides at each
                     const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
                     if (std::abs(ahead.si()) <= kLeastBeforeRad) {
                         continue;

@@ -30,8 +30,6 @@ constexpr double kMinutesUpToS = 90.0 * kMinuteS;
 constexpr double kWorthTellingS = 5.0;
 constexpr double kWorthTellingShare = 0.005;
 constexpr double kSameShownDeg = 0.05;
-// Candidates are at least a degree apart.
-constexpr double kSameCompared = 0.5;
 constexpr double kDryM2 = 0.5;
 // The outermost pass touches the edge; that is no news.
 constexpr double kTouchesM = 0.01;
@@ -139,25 +137,10 @@ Message againstLongestEdge(const HeadingCurve& curve) {
                    bearingMessage(edge.heading));
 }
 
-/// Whether the heading with the best estimate was compared with the plan's as driven.
-bool isDecidedAsDriven(const Plan& plan, const HeadingCurve& curve) {
-    const Settings& settings = plan.request.settings;
-    const std::vector<HeadingCandidate>& compared = plan.swaths.candidates;
-    return swathMethod(settings).traits.searchesHeadings && objectiveOf(settings) == SwathObjective::Time &&
-           !compared.empty() &&
-           inDegrees(angleBetweenLines(compared.front().heading, curve.trials[curve.quickest].heading)) <
-               kSameCompared;
-}
-
-/// @param asDriven  whether the driven path decided, not the estimate
-Message againstQuickest(const HeadingCurve& curve, bool asDriven) {
+Message againstQuickest(const HeadingCurve& curve) {
     const HeadingTrial& chosen = curve.trials[curve.chosen];
     const HeadingTrial& quickest = curve.trials[curve.quickest];
     if (const auto lost = savedBetween(quickest, chosen)) {
-        if (asDriven) {
-            return message("{} would save {} by the estimate, but not as driven",
-                           bearingMessage(quickest.heading), *lost);
-        }
         return message("by this estimate {} would save {}", bearingMessage(quickest.heading), *lost);
     }
     return message("no heading is quicker");
@@ -194,9 +177,8 @@ std::optional<Message> whySwaths(const Plan& plan, const std::optional<HeadingCu
     if (!curve || !curve->longestEdge) {
         return std::nullopt;
     }
-    const Message compared = message("{}; {}.", againstLongestEdge(*curve),
-                                     againstQuickest(*curve, isDecidedAsDriven(plan, *curve)))
-                                 .capitalised();
+    const Message compared =
+        message("{}; {}.", againstLongestEdge(*curve), againstQuickest(*curve)).capitalised();
     const auto objective = byObjective(plan, *curve);
     return objective ? *objective + " " + compared : compared;
 }

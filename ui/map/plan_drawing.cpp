@@ -175,8 +175,12 @@ void addWaysBeyondSwaths(PlanGeometry& geometry, const MapFrame& frame, const Pl
         const Polyline line = middleLine(*swath->second);
         const Point end =
             distance(line.front(), last) < distance(line.back(), last) ? line.front() : line.back();
-        const auto here = std::ranges::min_element(
-            segment.samples, {}, [end](const PathSample& sample) { return distance(sample.position, end); });
+        // Back from the last one: a circle passes its end at its begin, too.
+        auto here = segment.samples.end() - 1;
+        while (here != segment.samples.begin() &&
+               distance((here - 1)->position, end) < distance(here->position, end)) {
+            --here;
+        }
         Polyline beyond{end};
         std::transform(here + 1, segment.samples.end(), std::back_inserter(beyond),
                        [](const PathSample& sample) { return sample.position; });

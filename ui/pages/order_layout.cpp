@@ -439,6 +439,45 @@ void OrderLayout::layRecord() {
     });
 }
 
+namespace {
+
+constexpr double kRemarkIndent = 9.0;
+constexpr double kRemarkAside = 38.0;
+
+TextLook quietBody() {
+    TextLook look = kBody;
+    look.colour = ink::kQuiet;
+    return look;
+}
+
+}  // namespace
+
+/// A mark that is on the map, what is said there, and something short on the right.
+void OrderLayout::layRemark(const QString& mark, const QColor& colour, const std::vector<Paragraph>& text,
+                            const QString& aside) {
+    std::vector<Paragraph> lines;
+    for (const Paragraph& paragraph : text) {
+        for (const QString& line :
+             wrappedLines(paragraph.text, flow_.width() - kRemarkIndent - kRemarkAside, paragraph.look)) {
+            lines.push_back({line, paragraph.look});
+        }
+    }
+    const double height = 1.6 + lineHeightMm(kBody) * static_cast<double>(lines.size());
+    flow_.need(height);
+    const QRectF box = flow_.take(height);
+    const TextLook quiet{.points = 7.5, .weight = QFont::Normal, .colour = ink::kQuiet};
+    flow_.draw([=, shortened = elided(aside, kRemarkAside - 2.0, quiet)](Canvas& canvas) {
+        canvas.text(box.topLeft() + QPointF{5.5, 3.4}, mark,
+                    {.points = 8.5, .weight = QFont::DemiBold, .colour = colour}, Qt::AlignRight);
+        double base = box.top() + 3.4;
+        for (const Paragraph& line : lines) {
+            canvas.text({box.left() + kRemarkIndent, base}, line.text, line.look);
+            base += lineHeightMm(kBody);
+        }
+        canvas.text(box.topRight() + QPointF{0.0, 3.4}, shortened, quiet, Qt::AlignRight);
+    });
+}
+
 void OrderLayout::layFindings() {
     heading(LayoutWords::tr("Findings"), 10.0);
     if (sheet_.findings.empty()) {
@@ -450,42 +489,22 @@ void OrderLayout::layFindings() {
         return;
     }
     const std::size_t count = kMostFindings;
-    TextLook quiet = kBody;
-    quiet.colour = ink::kQuiet;
-    const double indent = 9.0;
     for (std::size_t i = 0; i < std::min(sheet_.findings.size(), count); ++i) {
         const Finding& finding = sheet_.findings[i];
-        const double width = flow_.width() - indent - 38.0;
-        const QStringList lines = wrappedLines(sentence(finding.text), width, kBody);
-        const QStringList remedy = wrappedLines(sentence(finding.suggestion), width, quiet);
-        const double height = 1.6 + lineHeightMm(kBody) * static_cast<double>(lines.size() + remedy.size());
-        flow_.need(height);
-        const QRectF box = flow_.take(height);
-        flow_.draw([=, number = QString::number(i + 1), blocking = isBlocking(finding),
-                    place = placeText(sheet_.findingPlaces[i])](Canvas& canvas) {
-            const QColor colour = blocking ? ink::kFailure : ink::kFinding;
-            canvas.text(box.topLeft() + QPointF{5.5, 3.4}, number,
-                        {.points = 8.5, .weight = QFont::DemiBold, .colour = colour}, Qt::AlignRight);
-            double base = box.top() + 3.4;
-            for (const QString& line : lines) {
-                TextLook look = kBody;
-                look.weight = blocking ? QFont::DemiBold : QFont::Normal;
-                canvas.text({box.left() + indent, base}, line, look);
-                base += lineHeightMm(kBody);
-            }
-            for (const QString& line : remedy) {
-                canvas.text({box.left() + indent, base}, line, quiet);
-                base += lineHeightMm(kBody);
-            }
-            canvas.text(box.topRight() + QPointF{0.0, 3.4}, place,
-                        {.points = 7.5, .weight = QFont::Normal, .colour = ink::kQuiet}, Qt::AlignRight);
-        });
+        const bool blocking = isBlocking(finding);
+        TextLook look = kBody;
+        look.weight = blocking ? QFont::DemiBold : QFont::Normal;
+        layRemark(QString::number(i + 1), blocking ? ink::kFailure : ink::kFinding,
+                  {{sentence(finding.text), look}, {sentence(finding.suggestion), quietBody()}},
+                  placeText(sheet_.findingPlaces[i]));
     }
     if (sheet_.findings.size() > count) {
         const QRectF box = flow_.take(5.0);
         const QString more = LayoutWords::tr("and %n more, in the window and in summary.json", nullptr,
                                              static_cast<int>(sheet_.findings.size() - count));
-        flow_.draw([=](Canvas& canvas) { canvas.text(box.topLeft() + QPointF{indent, 3.6}, more, quiet); });
+        flow_.draw([=](Canvas& canvas) {
+            canvas.text(box.topLeft() + QPointF{kRemarkIndent, 3.6}, more, quietBody());
+        });
     }
 }
 
@@ -494,26 +513,9 @@ void OrderLayout::layComments() {
         return;
     }
     heading(LayoutWords::tr("Comments"), 10.0);
-    const double indent = 9.0;
-    const double aside = 38.0;
     for (std::size_t i = 0; i < plan_.comments.size(); ++i) {
-        const ReviewComment& comment = plan_.comments[i];
-        const QStringList lines = wrappedLines(fromStd(comment.text), flow_.width() - indent - aside, kBody);
-        const double height = 1.6 + lineHeightMm(kBody) * static_cast<double>(lines.size());
-        flow_.need(height);
-        const QRectF box = flow_.take(height);
-        const TextLook quiet{.points = 7.5, .weight = QFont::Normal, .colour = ink::kQuiet};
-        flow_.draw([=, letter = commentLetter(i),
-                    author = elided(fromStd(comment.author), aside - 2.0, quiet)](Canvas& canvas) {
-            canvas.text(box.topLeft() + QPointF{5.5, 3.4}, letter,
-                        {.points = 8.5, .weight = QFont::DemiBold, .colour = ink::kText}, Qt::AlignRight);
-            double base = box.top() + 3.4;
-            for (const QString& line : lines) {
-                canvas.text({box.left() + indent, base}, line, kBody);
-                base += lineHeightMm(kBody);
-            }
-            canvas.text(box.topRight() + QPointF{0.0, 3.4}, author, quiet, Qt::AlignRight);
-        });
+        layRemark(commentLetter(i), ink::kText, {{fromStd(plan_.comments[i].text), kBody}},
+                  fromStd(plan_.comments[i].author));
     }
 }
 

@@ -31,6 +31,12 @@ private:
     void layHash();
 
     void heading(const QString& text, double heightBelow);
+    struct Paragraph {
+        QString text;
+        TextLook look;
+    };
+    void layRemark(const QString& mark, const QColor& colour, const std::vector<Paragraph>& text,
+                   const QString& aside);
     void rowsSideBySide(const QString& leftTitle, const std::vector<Row>& left, const QString& rightTitle,
                         const std::vector<Row>& right);
     std::vector<Row> machineRows() const;

@@ -23,7 +23,7 @@ struct MadePlan {
 /// Finished plans of a farm's fields, by what they were made from (planKey): what was planned in the window,
 /// in the background or on the way to paper and files is not planned again for the next of these. Whole
 /// plans, the latest ones that have at most `kMostSamples` points of their paths together; the memory of
-/// that is 200 MB. For the GUI thread only.
+/// those is some 150 MB. For the GUI thread only.
 class MadePlans {
 public:
     static constexpr std::size_t kMostSamples = 2'000'000;

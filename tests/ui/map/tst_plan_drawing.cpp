@@ -106,6 +106,22 @@ private slots:
         }
         QVERIFY(turns > 3);
     }
+    // Nothing but that: no circle is drawn twice.
+    void onlyWaysBeyondSwaths() {
+        const auto plan =
+            planOf(0.006, 0.003, {{"swaths.method", "pivot"}, {"swaths.line", "POINT (22.503 58.2515)"}},
+                   "trailed-sprayer");
+        const PlanGeometry geometry = planGeometry(*plan);
+        QVERIFY(!plan->swaths.swaths.empty());
+        double lengthM = 0.0;
+        for (std::size_t i = 0; i < geometry.beyondSwaths.vertices().size(); i += 4) {
+            const MapPoint delta = geometry.beyondSwaths.vertices()[i].delta;
+            lengthM += std::hypot(double{delta.x}, double{delta.y}) / geometry.unitsPerMetre;
+        }
+        // The hitch and the drawbar of this machine are 7 m.
+        QVERIFY2(lengthM < 12.0 * static_cast<double>(plan->swaths.swaths.size()),
+                 qPrintable(QString::number(lengthM)));
+    }
     void hasEverythingOfThePlan() {
         const auto plan = planOf(0.01, 0.004);
         const PlanGeometry geometry = planGeometry(*plan);
