@@ -210,9 +210,10 @@ private slots:
     void stepsBetweenEdgesThatStayAreNone() {
         FieldSource source = fieldOf(stairs(20, 4.0, 1.5));
         QVERIFY(stepsOf(source));
-        // A headland of its own at every second step: of what lies between nothing is left out.
+        // A headland of its own at every second edge: single risers between them are steps, and cannot be
+        // left out.
         const std::size_t edges = source.parts.front().outer.size();
-        for (std::size_t edge = 0; edge < edges; edge += 4) {
+        for (std::size_t edge = 0; edge < edges; edge += 2) {
             source.edgeHeadlands.push_back({.part = 0, .ring = 0, .edge = edge, .width = metres(9.0)});
         }
         QVERIFY(withStraightSteps(source).value() == source);
