@@ -3,6 +3,7 @@
 #include "planner/geometry/segment.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace furrow {
 
@@ -78,6 +79,31 @@ bool isInside(const Polygon& polygon, Point point) {
 bool isInside(const MultiPolygon& polygons, Point point) {
     return std::ranges::any_of(polygons,
                                [point](const Polygon& polygon) { return isInside(polygon, point); });
+}
+
+std::vector<Point> placesInside(const Polygon& polygon, double stepM) {
+    const MultiPolygon alone{polygon};
+    const Bounds box = bounds(alone);
+    std::vector<Point> places;
+    std::vector<std::pair<Point, Point>> crossing;
+    for (double y = box.min.y + 0.5 * stepM; y < box.max.y; y += stepM) {
+        crossing.clear();
+        forEachEdge(alone, [&](Point from, Point to) {
+            if ((from.y > y) != (to.y > y)) {
+                crossing.emplace_back(from, to);
+            }
+        });
+        for (double x = box.min.x + 0.5 * stepM; x < box.max.x; x += stepM) {
+            bool inside = false;
+            for (const auto& [from, to] : crossing) {
+                inside ^= meetsRay({x, y}, from, to);
+            }
+            if (inside) {
+                places.push_back({x, y});
+            }
+        }
+    }
+    return places;
 }
 
 std::size_t vertexCount(const MultiPolygon& polygons) {

@@ -53,6 +53,10 @@ bool isInside(std::span<const Point> ring, Point point);
 bool isInside(const Polygon& polygon, Point point);
 bool isInside(const MultiPolygon& polygons, Point point);
 
+/// The places inside of a grid whose first one is half a step from the lower left corner of the bounds, row
+/// by row: those for which `isInside` is true. Cost: one look at each edge for each row.
+std::vector<Point> placesInside(const Polygon& polygon, double stepM);
+
 std::size_t vertexCount(const MultiPolygon& polygons);
 
 /// Calls `visit(from, to)` for every edge of every ring, in order.

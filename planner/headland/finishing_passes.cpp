@@ -100,6 +100,25 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
             piece.outer, [&](Point place) { return edges.insideM(place).value_or(kAtEdgeM) < kAtEdgeM; });
     };
     const auto isRefused = [&](const Curve& line) { return finder.isRefused(line); };
+    const auto isOfUse = [&](const LeftLand::Piece& piece, Area inAll) {
+        return piece.area.si() >= finder.leastGainM2() &&
+               (inAll > task.mayStay || piece.area > task.mayStayInOnePiece);
+    };
+    // Those that are tried even if every pass works the whole of its piece.
+    std::vector<Polygon> first;
+    Area inAll = chosen.left.inAll();
+    for (const LeftLand::Piece& piece : chosen.left.pieces()) {
+        if (!isOfUse(piece, inAll)) {
+            break;
+        }
+        if (isAtEdge(piece.outline)) {
+            first.push_back(piece.outline);
+            inAll = inAll - piece.area;
+        }
+    }
+    if (auto done = task.bends->lookAhead(first, isRefused, job.withoutProgress()); !done) {
+        return done;
+    }
     std::size_t givenUp = 0;
     while (chosen.passes.size() < task.most && isTooMuch(task, chosen.left)) {
         if (job.stopRequested()) {
@@ -109,8 +128,7 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
             break;
         }
         const LeftLand::Piece& piece = chosen.left.pieces()[givenUp];
-        const bool isOfUse = isTooMuchInAll(task, chosen.left) || piece.area > task.mayStayInOnePiece;
-        if (piece.area.si() < finder.leastGainM2() || !isOfUse) {
+        if (!isOfUse(piece, chosen.left.inAll())) {
             break;
         }
         ++givenUp;

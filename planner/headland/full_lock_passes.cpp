@@ -3,6 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/nearest_on_edges.h"
 #include "planner/geometry/polygon_memo.h"
+#include "planner/jobs/parallel.h"
 #include "planner/units/angle.h"
 
 #include <algorithm>
@@ -58,20 +59,9 @@ constexpr std::size_t kExitSteps = 4;
 constexpr double kSweptM = 0.75;
 // Each takes some hundred kilobytes.
 constexpr std::size_t kMostPieces = 100;
-
-std::vector<Point> placesIn(const Polygon& piece) {
-    const Bounds box = bounds({piece});
-    const double stepM = std::sqrt(area(piece).si() / kPlaces);
-    std::vector<Point> places;
-    for (double y = box.min.y + 0.5 * stepM; y < box.max.y; y += stepM) {
-        for (double x = box.min.x + 0.5 * stepM; x < box.max.x; x += stepM) {
-            if (isInside(piece, {x, y})) {
-                places.push_back({x, y});
-            }
-        }
-    }
-    return places;
-}
+constexpr std::size_t kMostAhead = 50;
+// Bends whose room is looked at together, by several threads.
+constexpr std::ptrdiff_t kAtOnce = 8;
 
 /// What an implement sweeps between its working lines. While both of its ends go ahead, one polygon; the
 /// overlay of some hundred triangles would take longer than all else.
@@ -290,31 +280,18 @@ public:
         return found;
     }
 
-    /// Bends round middles and round places farther inwards that pass over the piece.
-    std::vector<Bend> bendsAround(std::span<const Point> middles) const {
-        std::vector<Bend> bends;
-        for (const Point& middle : middles) {
-            const double awayM = distance(middle, piece_.mean);
-            const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - piece_.mean) : Point{};
-            for (const double inwardsM : kInwardsM) {
-                const Point around = middle + inwardsM * inwards;
-                for (int i = 0; i < 2 * kBegins; ++i) {
-                    const Angle begin = radians(2.0 * std::numbers::pi * static_cast<double>(i / 2) /
-                                                kBegins);  // both sides at each
-                    const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
-                    if (std::abs(ahead.si()) <= kLeastBeforeRad) {
-                        continue;
-                    }
-                    Bend bend{.side = static_cast<std::size_t>(i % 2), .around = around, .begin = begin};
-                    bend.worked = placesUnder(bend);
+    /// Bends round middles and round places farther inwards that pass over the piece. Cancelled.
+    Result<std::vector<Bend>> bendsAround(std::span<const Point> middles, const JobContext& job) const {
+        return parallelMap<std::vector<Bend>>(
+                   middles.size(), [&](std::size_t i) { return bendsNear(middles[i]); }, job)
+            .transform([](const std::vector<std::vector<Bend>>& each) {
+                std::vector<Bend> bends;
+                for (Bend bend : each | std::views::join) {
                     bend.index = bends.size();
-                    if (bend.worked > 0) {
-                        bends.push_back(bend);
-                    }
+                    bends.push_back(bend);
                 }
-            }
-        }
-        return bends;
+                return bends;
+            });
     }
 
     /// The bend with the largest gain that has room, and a way in and out, after a straight of `leadM`. A
@@ -331,6 +308,7 @@ public:
         std::vector<Candidate> fitting;  // a heap
         double leastM2 = 0.0;
         auto next = bends.begin();
+        auto seen = bends.begin();
         while (!access.isOver() && !job.stopRequested()) {
             const bool isMore = next != bends.end() && next->mostM2 > leastM2;
             if (!fitting.empty() && (!isMore || fitting.front().gainM2 >= next->mostM2)) {
@@ -348,6 +326,12 @@ public:
             if (!isMore) {
                 break;
             }
+            if (next == seen && job.threads != 1) {
+                seen += std::min(kAtOnce, bends.end() - next);
+                if (!lookAhead({next, seen}, leadM, leastM2, job)) {
+                    break;
+                }
+            }
             if (auto candidate = knownFitted(*next, leadM, leastM2)) {
                 leastM2 = std::max(leastM2, kWorthAsking * candidate->gainM2);
                 fitting.push_back(*std::move(candidate));
@@ -359,6 +343,44 @@ public:
     }
 
 private:
+    std::vector<Bend> bendsNear(Point middle) const {
+        std::vector<Bend> bends;
+        const double awayM = distance(middle, piece_.mean);
+        const Point inwards = awayM > 0.0 ? (1.0 / awayM) * (middle - piece_.mean) : Point{};
+        for (const double inwardsM : kInwardsM) {
+            const Point around = middle + inwardsM * inwards;
+            for (int turn = 0; turn < kBegins; ++turn) {
+                const Angle begin = radians(2.0 * std::numbers::pi * turn / kBegins);
+                const Angle ahead = wrappedAngle(radians(std::atan2(-inwards.y, -inwards.x)) - begin);
+                if (std::abs(ahead.si()) <= kLeastBeforeRad) {
+                    continue;
+                }
+                for (const std::size_t side : {0, 1}) {
+                    Bend bend{.side = side, .around = around, .begin = begin};
+                    bend.worked = placesUnder(bend);
+                    if (bend.worked > 0) {
+                        bends.push_back(bend);
+                    }
+                }
+            }
+        }
+        return bends;
+    }
+
+    /// Works out `knownFitted` of the next bends at once. With one thread they are worked out when asked for,
+    /// as some of these are not.
+    Result<void> lookAhead(std::span<const Bend> next, double leadM, double leastM2,
+                           const JobContext& job) const {
+        return parallelFor(
+            next.size(),
+            [&](std::size_t i) {
+                if (next[i].mostM2 > leastM2) {
+                    knownFitted(next[i], leadM, leastM2);
+                }
+            },
+            job.withoutProgress());
+    }
+
     double gainM2(std::size_t worked, double wayM) const {
         return areaEachM2_ * static_cast<double>(worked) - kWorthShare * widthM_ * wayM;
     }
@@ -491,19 +513,53 @@ private:
 };
 
 /// What is known of a piece: its places and the bends over it, at least.
-std::shared_ptr<FullLockPasses::Piece> FullLockPasses::tried(const Polygon& piece) const {
+Result<std::shared_ptr<FullLockPasses::Piece>> FullLockPasses::tried(const Polygon& piece,
+                                                                     const JobContext& job) const {
     if (auto known = trials_->known_->pieces.find(piece)) {
         return *std::move(known);
     }
-    const auto made = std::make_shared<Piece>();
-    made->places = placesIn(piece);
+    auto made = std::make_shared<Piece>();
+    made->places = placesInside(piece, std::sqrt(area(piece).si() / kPlaces));
     for (const Point& place : made->places) {
         made->mean = made->mean + (1.0 / static_cast<double>(made->places.size())) * place;
     }
     const Trial trial{*this, piece, *made};
-    made->bends = trial.bendsAround(trial.middles());
+    auto bends = trial.bendsAround(trial.middles(), job.withoutProgress());
+    if (!bends) {
+        return std::unexpected(bends.error());
+    }
+    made->bends = *std::move(bends);
     trials_->known_->pieces.add(piece, made);
     return made;
+}
+
+double FullLockPasses::closeM() const {
+    return kCloseShare * lowered_->machine().operatingWidth().si();
+}
+
+Length FullLockPasses::leadOf(double lengths) const {
+    return std::max(metres(lengths * straightM_), lowered_->machine().runIn());
+}
+
+Result<void> FullLockPasses::lookAhead(std::span<const Polygon> pieces,
+                                       const std::function<bool(const Curve&)>& isRefused,
+                                       const JobContext& job) const {
+    return parallelFor(
+        std::min(pieces.size(), kMostAhead),
+        [&](std::size_t i) {
+            const auto known = tried(pieces[i], job);
+            if (!known) {
+                return;
+            }
+            // That ways lead to it is found later, most often.
+            const PassAccessFinder access = [&](const Curve& line) {
+                return isRefused(line) ? PassAccess::NoWayIn : PassAccess::There;
+            };
+            FailedPoses failed;
+            const AskedAccess asked{access, failed, closeM()};
+            Trial{*this, pieces[i], **known}.best(leadOf(kLengthsIn.front()).si(), asked, job);
+        },
+        job);
 }
 
 std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
@@ -515,16 +571,18 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
     const PassAccessFinder access = [&](const Curve& line) {
         return isRefused(line) ? PassAccess::NoWayIn : access_(line);
     };
-    const Machine& machine = lowered_->machine();
-    const std::shared_ptr<Piece> known = tried(piece);
+    const auto found = tried(piece, job);
+    if (!found) {
+        return std::nullopt;
+    }
+    const std::shared_ptr<Piece>& known = *found;
     const Trial trial{*this, piece, *known};
-    const AskedAccess asked{access, failed_, kCloseShare * machine.operatingWidth().si()};
+    const AskedAccess asked{access, failed_, closeM()};
     std::optional<Candidate> best;
     for (const double lengths : kLengthsIn) {
-        const double leadM = std::max(lengths * straightM_, machine.runIn().si());
-        auto found = trial.best(leadM, asked, job);
-        if (found && (!best || found->gainM2 > best->gainM2)) {
-            best = std::move(found);
+        auto pass = trial.best(leadOf(lengths).si(), asked, job);
+        if (pass && (!best || pass->gainM2 > best->gainM2)) {
+            best = std::move(pass);
         }
         if ((best && trial.works(best->worked, kGoodEnough)) || straightM_ == 0.0) {
             break;

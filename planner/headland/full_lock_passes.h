@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace furrow {
@@ -63,6 +64,11 @@ public:
     std::optional<BentPass> over(const Polygon& piece, const std::function<bool(const Curve&)>& isRefused,
                                  const JobContext& job);
 
+    /// Works out, on several threads, what `over` needs first of these pieces. Changes no result.
+    /// Cancelled.
+    Result<void> lookAhead(std::span<const Polygon> pieces,
+                           const std::function<bool(const Curve&)>& isRefused, const JobContext& job) const;
+
     /// Other legs may have ways to the poses that none led to.
     void forgetFailedPoses() { failed_ = {}; }
 
@@ -73,7 +79,11 @@ private:
     struct Piece;
     FullLockPasses(const Rig& lowered, PassAccessFinder access, std::shared_ptr<FullLockTrials> trials);
 
-    std::shared_ptr<Piece> tried(const Polygon& piece) const;
+    Result<std::shared_ptr<Piece>> tried(const Polygon& piece, const JobContext& job) const;
+    /// The straight before a bend, for so many lengths of the trailed part.
+    Length leadOf(double lengths) const;
+    /// Poses closer than this are one.
+    double closeM() const;
 
     std::optional<BentPass> worked(Curve line, const JobContext& job) const;
 

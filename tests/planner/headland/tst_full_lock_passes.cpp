@@ -10,6 +10,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stop_token>
@@ -142,6 +143,39 @@ private slots:
         QVERIFY(most >= 2);
     }
 
+    void onThreads_data() {
+        QTest::addColumn<int>("threads");
+        QTest::addColumn<bool>("looksAhead");
+        QTest::newRow("two") << 2 << false;
+        QTest::newRow("one, looked ahead") << 1 << true;
+        QTest::newRow("three, looked ahead") << 3 << true;
+    }
+    /// What several threads work out beforehand changes no pass.
+    void onThreads() {
+        QFETCH(int, threads);
+        QFETCH(bool, looksAhead);
+        for (const double angle : {0.45, 0.6, 0.8}) {
+            const MultiPolygon tip = tipOf(angle);
+            const Polygon piece = leftBeyondArc(angle, kRoundedM).front();
+            const Rig lowered{tip, sprayer(), ImplementAt::Lowered};
+            // The first two lead nowhere.
+            const auto isRefused = [](std::size_t& asked) {
+                return [&asked](const Curve&) { return asked++ < 2; };
+            };
+            std::size_t asked = 0;
+            auto plain = FullLockPasses::of(tip, lowered, kThere, {}).value();
+            const auto expected = plain.over(piece, isRefused(asked), {.threads = 1});
+            QVERIFY(expected.has_value());
+            auto passes = FullLockPasses::of(tip, lowered, kThere, {}).value();
+            if (looksAhead) {
+                VERIFY_RESULT(passes.lookAhead(std::array{piece, piece}, kNoneRefused, {.threads = threads}));
+            }
+            asked = 0;
+            const auto found = passes.over(piece, isRefused(asked), {.threads = threads});
+            QVERIFY(found && found->line == expected->line && found->worked == expected->worked);
+        }
+    }
+
     /// Another pass where the best has no way in or out, few looked for, and none where there is none at all.
     void onlyWithAWayInAndOut() {
         const double angle = std::numbers::pi / 3.0;
@@ -197,6 +231,9 @@ private slots:
         const auto passes = FullLockPasses::of(tip, lowered, kThere, {.stop = stop.get_token()});
         QVERIFY(!passes);
         QVERIFY(passes.error().code == ErrorCode::Cancelled);
+        const auto others = FullLockPasses::of(tip, lowered, kThere, {}).value();
+        const auto ahead = others.lookAhead(tip, kNoneRefused, {.stop = stop.get_token()});
+        QVERIFY(!ahead && ahead.error().code == ErrorCode::Cancelled);
     }
 };
 
