@@ -8,13 +8,12 @@ configured_here() {
         grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$project" "$project/build/release/CMakeCache.txt"
 }
 
-# program_not_built CMD: its name, where CMD is Furrow's window or command line and is not there.
-program_not_built() {
+# own_program CMD: its name, where CMD is Furrow's window or command line.
+own_program() {
     local path
     path=$(realpath -m -- "$1")
     case "$path" in
-        "$project/build/release/bin/furrow" | "$project/build/release/bin/furrow-cli")
-            [ -e "$path" ] || basename "$path" ;;
+        "$project/build/release/bin/furrow" | "$project/build/release/bin/furrow-cli") basename "$path" ;;
     esac
 }
 
@@ -40,11 +39,11 @@ build() {
         progress "$log" $SECONDS &
         teller=$!
     fi
-    "$project/packaging/shell" bash -c '
+    (enter bash -c '
             set -e
             cd "$1"; shift
             cmake --preset release
-            cmake --build --preset release --target "$@"' build "$project" "$@" >"$log" 2>&1 </dev/null || status=$?
+            cmake --build --preset release --target "$@"' build "$project" "$@") >"$log" 2>&1 </dev/null || status=$?
     if [ -n "$teller" ]; then
         kill "$teller"
         wait "$teller" 2>/dev/null || true

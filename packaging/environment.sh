@@ -21,9 +21,14 @@ fail() {
     exit 1
 }
 
-packages() { sed 's/#.*//' "$project/packaging/packages.txt" | xargs -n1; }
+# packages to-run|all: what the window is built and run with, or what tests and checks need, too.
+packages() {
+    local lists=("$project/packaging/packages.txt")
+    [ "$1" = to-run ] || lists+=("$project/packaging/packages-tests.txt")
+    sed 's/#.*//' "${lists[@]}" | xargs -n1
+}
 
-packages_key() { packages | sort | sha1sum | cut -c1-12; }
+packages_key() { packages "$1" | sort | sha1sum | cut -c1-12; }
 
 # A folder for each list, so that clones whose lists differ do not take each other's packages away.
 validators() {
