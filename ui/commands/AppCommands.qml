@@ -8,6 +8,7 @@ import Furrow.Layers
 import Furrow.Map
 import Furrow.Plan
 import Furrow.Project
+import Furrow.Review
 import Furrow.Settings
 
 /// Everything that can be done in the window.
@@ -19,6 +20,7 @@ QtObject {
     required property FarmModel farm
     required property ShownPlan shown
     required property Planning planning
+    required property ReviewModel review
     required property DriveThrough drive
     required property DriveBar driveBar
     required property MapPage page
@@ -193,11 +195,12 @@ QtObject {
         Command {
             objectName: "command.redo"
             group: root.editGroup
-            text: root.document.canRedo ? qsTr("Redo: %1").arg(root.document.redoText) : qsTr("Redo")
+            readonly property bool ofSketch: root.page.editor.canDrawAgain
+            text: ofSketch ? qsTr("Redo: %1").arg(qsTr("Draw a point")) : root.document.canRedo ? qsTr("Redo: %1").arg(root.document.redoText) : qsTr("Redo")
             name: qsTr("Redo")
             shortcut: "Ctrl+Shift+Z"
-            enabled: root.document.canRedo
-            onTriggered: root.document.redo()
+            enabled: ofSketch || root.document.canRedo
+            onTriggered: ofSketch ? root.page.editor.drawAgain() : root.document.redo()
         },
         Command {
             objectName: "command.delete"
@@ -498,7 +501,7 @@ QtObject {
         Command {
             objectName: "command.sendReview"
             group: root.planGroup
-            text: qsTr("Send for review…")
+            text: root.review.sendText
             keywords: qsTr("contractor share file approve")
             enabled: root.shown.hasPlan
             onTriggered: root.sendRequested()

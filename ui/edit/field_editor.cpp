@@ -101,6 +101,10 @@ void FieldEditor::follow() {
     } else if (sketch_.empty()) {
         frame_.reset();
     }
+    if (canDrawAgain()) {
+        takenBack_.clear();
+        emit sketchChanged();
+    }
     findSteps();
     hovered_.reset();
     // What was selected may be gone, as after undoing.

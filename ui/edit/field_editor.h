@@ -30,6 +30,8 @@ class FieldEditor : public QObject {
     /// Drawing tools trace the pointer while it is pressed.
     Q_PROPERTY(bool freehand READ isFreehand WRITE setFreehand NOTIFY freehandChanged FINAL)
     Q_PROPERTY(int sketchCount READ sketchCount NOTIFY sketchChanged FINAL)
+    /// A point of the sketch was taken back, and nothing was done since.
+    Q_PROPERTY(bool canDrawAgain READ canDrawAgain NOTIFY sketchChanged FINAL)
     Q_PROPERTY(int sketchNeeded READ sketchNeeded NOTIFY toolChanged FINAL)
     Q_PROPERTY(bool sketchOpen READ isDraftOpen NOTIFY toolChanged FINAL)
     /// From the last point of the sketch to the pointer; 0 without either.
@@ -75,6 +77,7 @@ public:
     bool isDrawing() const { return tool_ != Tool::Select; }
     bool isFreehand() const { return freehand_; }
     void setFreehand(bool freehand);
+    bool canDrawAgain() const { return !takenBack_.empty(); }
     int sketchCount() const { return static_cast<int>(sketch_.size()); }
     /// Points that what is drawn has at least.
     int sketchNeeded() const;
@@ -156,6 +159,8 @@ public:
     Q_INVOKABLE void finishSketch();
     Q_INVOKABLE void cancelSketch();
     Q_INVOKABLE void removeLastPoint();
+    /// The point that was taken back last, if it can.
+    Q_INVOKABLE void drawAgain();
     /// Stops the innermost of what was begun: drag, drawing, selection. False where nothing was.
     Q_INVOKABLE bool escape();
 
@@ -233,6 +238,7 @@ private:
     std::optional<Error> stepsError_;
     QStringList stepsLeft_;
     GeoRing sketch_;
+    GeoRing takenBack_;  ///< points of the sketch, the last one first to come again
     std::optional<GeoPoint> cursor_;
     std::optional<ShapeHit> hovered_;
     std::optional<Snap> snap_;

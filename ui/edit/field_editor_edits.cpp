@@ -51,6 +51,7 @@ void FieldEditor::setTool(Tool tool) {
     }
     tool_ = tool;
     sketch_.clear();
+    takenBack_.clear();
     snap_.reset();
     hovered_.reset();
     frame_ = shape_ ? std::optional{shape_->frame} : std::nullopt;
@@ -120,6 +121,7 @@ void FieldEditor::addPoint(GeoPoint place) {
         return;
     }
     sketch_.push_back(place);
+    takenBack_.clear();
     emit sketchChanged();
     emit changed();
     const bool straightGuide = tool_ == Tool::Guide && sketch_.size() == 2 && !canFollowCurves();
@@ -130,9 +132,21 @@ void FieldEditor::addPoint(GeoPoint place) {
 
 void FieldEditor::removeLastPoint() {
     if (!sketch_.empty()) {
+        takenBack_.push_back(sketch_.back());
         sketch_.pop_back();
         emit sketchChanged();
         emit changed();
+    }
+}
+
+void FieldEditor::drawAgain() {
+    if (canDrawAgain()) {
+        GeoRing left = std::move(takenBack_);
+        const GeoPoint place = left.back();
+        left.pop_back();
+        addPoint(place);
+        takenBack_ = std::move(left);
+        emit sketchChanged();
     }
 }
 

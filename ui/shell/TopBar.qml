@@ -131,7 +131,7 @@ Rectangle {
             iconName: "redo"
             hint: root.commands.named("redo").text
             hintBelow: true
-            enabled: root.session.document.canRedo
+            enabled: root.commands.named("redo").enabled
             onClicked: root.commands.named("redo").trigger()
         }
         SearchButton {

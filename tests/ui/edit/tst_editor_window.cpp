@@ -271,6 +271,7 @@ private slots:
         QTRY_COMPARE(editor()->sketchCount(), 2);
         QTRY_VERIFY(shows(QStringLiteral("sketch.takingBack")));
         picture(QStringLiteral("drawing_taking_back"));
+        const GeoRing drawn = editor()->sketch();
         key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(editor()->sketchCount(), 1);
         QTRY_VERIFY(item(QStringLiteral("undoButton"))->isEnabled());
@@ -278,6 +279,20 @@ private slots:
         QTRY_COMPARE(editor()->sketchCount(), 0);
         QVERIFY(editor()->isDrawing());
         QVERIFY(!item(QStringLiteral("undoButton"))->isEnabled());
+        // They come again in their order, until another one is drawn.
+        QTRY_VERIFY(item(QStringLiteral("redoButton"))->isEnabled());
+        click(QStringLiteral("redoButton"));
+        QTRY_COMPARE(editor()->sketchCount(), 1);
+        QVERIFY(editor()->sketch() == GeoRing(drawn.begin(), drawn.begin() + 1));
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(editor()->sketchCount(), 2);
+        QVERIFY(editor()->sketch() == drawn);
+        QVERIFY(!item(QStringLiteral("redoButton"))->isEnabled());
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(editor()->sketchCount(), 1);
+        clickAt(middle() + QPoint{200, 150});
+        QTRY_COMPARE(editor()->sketchCount(), 2);
+        QVERIFY(!item(QStringLiteral("redoButton"))->isEnabled());
     }
     /// A length that was typed is for one point only.
     void theLengthFollowsThePointerAgain() {
