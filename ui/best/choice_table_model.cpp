@@ -77,7 +77,11 @@ QVariant ChoiceTableModel::data(const QModelIndex& index, int role) const {
                                                : tr("%1 quicker").arg(exactDurationText(-row.difference));
         }
         case TakenRole: return isTaken(row);
-        case ShareRole: return most_ > Duration{} ? size(row.difference) / most_ : 0.0;
+        case ShareRole: {
+            // No bar beside "the same time".
+            const bool isSame = !isTaken(row) && size(row.difference) < kSame;
+            return most_ > Duration{} && !isSame ? size(row.difference) / most_ : 0.0;
+        }
         default: return {};
     }
 }
