@@ -495,10 +495,6 @@
         <translation>Durchsicht Notiz Bemerkung</translation>
     </message>
     <message>
-        <source>Send for review…</source>
-        <translation>Zur Durchsicht geben …</translation>
-    </message>
-    <message>
         <source>contractor share file approve</source>
         <translation>Lohnunternehmer teilen Datei zustimmen</translation>
     </message>
@@ -7444,18 +7440,6 @@
         <translation>Änderungen wünschen</translation>
     </message>
     <message>
-        <source>Send back…</source>
-        <translation>Zurückschicken …</translation>
-    </message>
-    <message>
-        <source>Send on…</source>
-        <translation>Weitergeben …</translation>
-    </message>
-    <message>
-        <source>Send for review…</source>
-        <translation>Zur Durchsicht geben …</translation>
-    </message>
-    <message>
         <source>Take in what came back…</source>
         <translation>Zurückgekommenes übernehmen …</translation>
     </message>
@@ -9680,6 +9664,18 @@
     <message>
         <source>Changes wanted: %1</source>
         <translation>Änderungen gewünscht: %1</translation>
+    </message>
+    <message>
+        <source>Send back…</source>
+        <translation>Zurückschicken …</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Weitergeben …</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Zur Durchsicht geben …</translation>
     </message>
     <message>
         <source>Comment</source>

@@ -495,10 +495,6 @@
         <translation>revisión nota observación</translation>
     </message>
     <message>
-        <source>Send for review…</source>
-        <translation>Enviar a revisión…</translation>
-    </message>
-    <message>
         <source>contractor share file approve</source>
         <translation>contratista compartir archivo aprobar</translation>
     </message>
@@ -7444,18 +7440,6 @@
         <translation>Pedir cambios</translation>
     </message>
     <message>
-        <source>Send back…</source>
-        <translation>Devolver…</translation>
-    </message>
-    <message>
-        <source>Send on…</source>
-        <translation>Reenviar…</translation>
-    </message>
-    <message>
-        <source>Send for review…</source>
-        <translation>Enviar a revisión…</translation>
-    </message>
-    <message>
         <source>Take in what came back…</source>
         <translation>Incorporar lo recibido…</translation>
     </message>
@@ -9680,6 +9664,18 @@
     <message>
         <source>Changes wanted: %1</source>
         <translation>Se piden cambios: %1</translation>
+    </message>
+    <message>
+        <source>Send back…</source>
+        <translation>Devolver…</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Reenviar…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Enviar a revisión…</translation>
     </message>
     <message>
         <source>Comment</source>

@@ -495,10 +495,6 @@
         <translation>relecture note remarque</translation>
     </message>
     <message>
-        <source>Send for review…</source>
-        <translation>Envoyer en relecture…</translation>
-    </message>
-    <message>
         <source>contractor share file approve</source>
         <translation>entrepreneur partager fichier approuver</translation>
     </message>
@@ -7444,18 +7440,6 @@
         <translation>Demander des changements</translation>
     </message>
     <message>
-        <source>Send back…</source>
-        <translation>Retourner…</translation>
-    </message>
-    <message>
-        <source>Send on…</source>
-        <translation>Renvoyer…</translation>
-    </message>
-    <message>
-        <source>Send for review…</source>
-        <translation>Envoyer en relecture…</translation>
-    </message>
-    <message>
         <source>Take in what came back…</source>
         <translation>Reprendre ce qui est revenu…</translation>
     </message>
@@ -9680,6 +9664,18 @@
     <message>
         <source>Changes wanted: %1</source>
         <translation>Changements souhaités : %1</translation>
+    </message>
+    <message>
+        <source>Send back…</source>
+        <translation>Retourner…</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Renvoyer…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Envoyer en relecture…</translation>
     </message>
     <message>
         <source>Comment</source>

@@ -495,10 +495,6 @@
         <translation>beoordeling notitie opmerking</translation>
     </message>
     <message>
-        <source>Send for review…</source>
-        <translation>Ter beoordeling sturen…</translation>
-    </message>
-    <message>
         <source>contractor share file approve</source>
         <translation>loonwerker delen bestand goedkeuren</translation>
     </message>
@@ -7444,18 +7440,6 @@
         <translation>Wijzigingen vragen</translation>
     </message>
     <message>
-        <source>Send back…</source>
-        <translation>Terugsturen…</translation>
-    </message>
-    <message>
-        <source>Send on…</source>
-        <translation>Doorsturen…</translation>
-    </message>
-    <message>
-        <source>Send for review…</source>
-        <translation>Ter beoordeling sturen…</translation>
-    </message>
-    <message>
         <source>Take in what came back…</source>
         <translation>Overnemen wat terugkwam…</translation>
     </message>
@@ -9680,6 +9664,18 @@
     <message>
         <source>Changes wanted: %1</source>
         <translation>Wijzigingen gewenst: %1</translation>
+    </message>
+    <message>
+        <source>Send back…</source>
+        <translation>Terugsturen…</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Doorsturen…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Ter beoordeling sturen…</translation>
     </message>
     <message>
         <source>Comment</source>

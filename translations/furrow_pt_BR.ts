@@ -495,10 +495,6 @@
         <translation>revisão nota observação</translation>
     </message>
     <message>
-        <source>Send for review…</source>
-        <translation>Enviar para revisão…</translation>
-    </message>
-    <message>
         <source>contractor share file approve</source>
         <translation>prestador compartilhar arquivo aprovar</translation>
     </message>
@@ -7444,18 +7440,6 @@
         <translation>Pedir mudanças</translation>
     </message>
     <message>
-        <source>Send back…</source>
-        <translation>Devolver…</translation>
-    </message>
-    <message>
-        <source>Send on…</source>
-        <translation>Reenviar…</translation>
-    </message>
-    <message>
-        <source>Send for review…</source>
-        <translation>Enviar para revisão…</translation>
-    </message>
-    <message>
         <source>Take in what came back…</source>
         <translation>Incorporar o que voltou…</translation>
     </message>
@@ -9680,6 +9664,18 @@
     <message>
         <source>Changes wanted: %1</source>
         <translation>Mudanças desejadas: %1</translation>
+    </message>
+    <message>
+        <source>Send back…</source>
+        <translation>Devolver…</translation>
+    </message>
+    <message>
+        <source>Send on…</source>
+        <translation>Reenviar…</translation>
+    </message>
+    <message>
+        <source>Send for review…</source>
+        <translation>Enviar para revisão…</translation>
     </message>
     <message>
         <source>Comment</source>

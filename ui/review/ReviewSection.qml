@@ -19,7 +19,7 @@ Column {
 
         function onMessageChanged(): void {
             if (root.review.message.length > 0)
-                Qt.callLater(root.tell);
+                Qt.callLater(root.tellOf, message);
         }
         // Its rows are those of another plan.
         function onReviewChanged(): void {
@@ -101,15 +101,22 @@ Column {
         }
     }
     Column {
+        id: writer
+
         width: parent.width
         spacing: 8
         visible: root.writing
+        // With its buttons, however long the text gets.
+        onHeightChanged: {
+            if (root.writing)
+                Qt.callLater(root.tellOf, writer);
+        }
 
         Caption {
             width: parent.width
             text: root.editedRow >= 0 ? qsTr("Comment %1:").arg(root.editedRow + 1) : root.place.isValid ? qsTr("At the place that you clicked:") : qsTr("On the whole plan:")
         }
-        TextEntry {
+        TextBox {
             id: entry
 
             objectName: "review.text"
@@ -175,7 +182,7 @@ Column {
         }
         PushButton {
             objectName: "review.send"
-            text: root.review.received ? qsTr("Send back…") : root.review.sent ? qsTr("Send on…") : qsTr("Send for review…")
+            text: root.review.sendText
             enabled: root.review.refusal.length === 0 && !root.review.busy
             onClicked: root.sendRequested()
         }
@@ -220,9 +227,9 @@ Column {
         }
     }
 
-    function tell(): void {
+    function tellOf(where: Item): void {
         root.forceLayout();
-        root.told(message);
+        root.told(where);
     }
     function write(place: var): void {
         root.begin(place, -1, "");

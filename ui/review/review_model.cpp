@@ -131,6 +131,10 @@ QString ReviewModel::verdictText() const {
     return {};
 }
 
+QString ReviewModel::sendText() const {
+    return isReceived() ? tr("Send back…") : isSent() ? tr("Send on…") : tr("Send for review…");
+}
+
 bool ReviewModel::verdictIsOld() const {
     return shown_.verdict.verdict != Verdict::None && shown_.verdict.planKey != key_;
 }

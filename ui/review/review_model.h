@@ -31,8 +31,8 @@ class ReviewModel : public QAbstractListModel {
     Q_PROPERTY(bool verdictIsOld READ verdictIsOld NOTIFY reviewChanged FINAL)
     /// It was sent for review, or is one that was sent.
     Q_PROPERTY(bool sent READ isSent NOTIFY reviewChanged FINAL)
-    /// It came as a review file, and goes back.
-    Q_PROPERTY(bool received READ isReceived NOTIFY reviewChanged FINAL)
+    /// What sending is called: on the way there, or back.
+    Q_PROPERTY(QString sendText READ sendText NOTIFY reviewChanged FINAL)
     /// Who writes here; remembered.
     Q_PROPERTY(QString author READ author WRITE setAuthor NOTIFY authorChanged FINAL)
     /// Why nothing can be sent; empty where it can.
@@ -64,6 +64,7 @@ public:
     int openCount() const;
     State verdict() const;
     QString verdictText() const;
+    QString sendText() const;
     bool verdictIsOld() const;
     bool isSent() const { return !review().id.empty(); }
     bool isReceived() const { return review().received; }

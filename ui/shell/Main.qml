@@ -130,6 +130,7 @@ ApplicationWindow {
         farm: root.session.farm
         shown: root.session.shown
         planning: root.session.planning
+        review: root.session.review
         drive: root.session.drive
         driveBar: driveBar
         page: page

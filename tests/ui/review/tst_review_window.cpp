@@ -21,6 +21,7 @@ private slots:
     void commentsAtAPlaceAndOnAll();
     void sentReviewedAndTakenIn();
     void whatBecameOfItIsSeen();
+    void aLongCommentIsSeen();
     void aCommentIsEdited();
     void anOpenedReviewIsOffered();
     void aForeignFileIsRefused();
@@ -167,6 +168,38 @@ void TestReviewWindow::whatBecameOfItIsSeen() {
     };
     QTRY_VERIFY(isInView());
     picture("review_sent");
+}
+
+/// As much as somebody has to say is seen while it is written.
+void TestReviewWindow::aLongCommentIsSeen() {
+    click("review.onPlan");
+    QTRY_VERIFY(item("review.text") != nullptr && item("review.text")->hasActiveFocus());
+    const double lineHeight = item("review.text")->height();
+    type("The corner by the old barn is wet until May, so the headland there has to be worked last, or left");
+    QTRY_VERIFY(item("review.text")->height() > lineHeight + 20.0);
+    const double longHeight = item("review.text")->height();
+    key(Qt::Key_Return, Qt::ShiftModifier);
+    type("Ask Ann");
+    QTRY_VERIFY(item("review.text")->height() > longHeight + 10.0);
+    // With the buttons below it.
+    const auto isInView = [this](const char* name) {
+        const QQuickItem& of = *item(QLatin1String{name});
+        const QQuickItem& panel = *item("resultsPanel");
+        return QRectF{panel.mapToScene({}), panel.size()}.contains(QRectF{of.mapToScene({}), of.size()});
+    };
+    QTRY_VERIFY(isInView("review.text") && isInView("review.add"));
+    picture("review_long");
+    // The tabulator leads on and back, it is no part of the text.
+    key(Qt::Key_Tab);
+    QTRY_VERIFY(item("review.author")->hasActiveFocus());
+    key(Qt::Key_Backtab, Qt::ShiftModifier);
+    QTRY_VERIFY(item("review.text")->hasActiveFocus());
+    key(Qt::Key_Return);
+    QTRY_COMPARE(review().rowCount(), 1);
+    const QString said = review().data(review().index(0), ReviewModel::TextRole).toString();
+    QVERIFY2(said.startsWith("The corner") && said.endsWith("or left\nAsk Ann"), qPrintable(said));
+    QVERIFY(!item("review.text")->isVisible());
+    picture("review_long_said");
 }
 
 void TestReviewWindow::aCommentIsEdited() {

@@ -16,7 +16,8 @@ class TestAccessWindow : public WindowTest {
 
     static bool isControl(const QQuickItem& item) {
         return item.inherits("QQuickAbstractButton") || item.inherits("QQuickTextInput") ||
-               item.inherits("QQuickSlider") || item.inherits("QQuickComboBox");
+               item.inherits("QQuickTextEdit") || item.inherits("QQuickSlider") ||
+               item.inherits("QQuickComboBox");
     }
     /// Every control that is seen below an item.
     static void collect(QQuickItem* below, std::vector<QQuickItem*>& controls) {
