@@ -5882,7 +5882,7 @@
         <translation>ein GeoTIFF angeben oder mit seinem Koordinatensystem neu exportieren</translation>
     </message>
     <message>
-        <source>it is damaged, or no picture that Furrow can show</source>
+        <source>it is damaged, or not a picture that Furrow can show</source>
         <translation>es ist beschädigt oder kein Bild, das Furrow zeigen kann</translation>
     </message>
     <message>

@@ -5882,7 +5882,7 @@
         <translation>indique un GeoTIFF o expórtela de nuevo con su sistema de coordenadas</translation>
     </message>
     <message>
-        <source>it is damaged, or no picture that Furrow can show</source>
+        <source>it is damaged, or not a picture that Furrow can show</source>
         <translation>está dañado o no es una imagen que Furrow pueda mostrar</translation>
     </message>
     <message>

@@ -5882,7 +5882,7 @@
         <translation>indiquez un GeoTIFF ou exportez-la à nouveau avec son système de coordonnées</translation>
     </message>
     <message>
-        <source>it is damaged, or no picture that Furrow can show</source>
+        <source>it is damaged, or not a picture that Furrow can show</source>
         <translation>il est endommagé, ou ce n&apos;est pas une image que Furrow peut afficher</translation>
     </message>
     <message>

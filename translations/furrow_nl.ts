@@ -5882,7 +5882,7 @@
         <translation>geef een GeoTIFF of exporteer het opnieuw met zijn coördinatenstelsel</translation>
     </message>
     <message>
-        <source>it is damaged, or no picture that Furrow can show</source>
+        <source>it is damaged, or not a picture that Furrow can show</source>
         <translation>het is beschadigd of geen beeld dat Furrow kan tonen</translation>
     </message>
     <message>

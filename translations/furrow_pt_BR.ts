@@ -5882,7 +5882,7 @@
         <translation>informe um GeoTIFF ou exporte-a de novo com seu sistema de coordenadas</translation>
     </message>
     <message>
-        <source>it is damaged, or no picture that Furrow can show</source>
+        <source>it is damaged, or not a picture that Furrow can show</source>
         <translation>está danificado ou não é uma imagem que o Furrow possa mostrar</translation>
     </message>
     <message>
