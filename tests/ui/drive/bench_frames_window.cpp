@@ -4,11 +4,10 @@
 #include "planner/machine/machine_library.h"
 #include "planner/project/project_edits.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/window/next_frame.h"
 #include "tests/ui/window/window_test.h"
 
-#include <QDeadlineTimer>
 #include <QElapsedTimer>
-#include <QSignalSpy>
 
 #include <cmath>
 #include <ctime>
@@ -63,7 +62,6 @@ void FramesBenchmark::plan(double hectares, const char* machine) {
 }
 
 void FramesBenchmark::time(const char* what, const std::function<void()>& next) {
-    QSignalSpy frame{window_, &QQuickWindow::frameSwapped};
     const int wanted = framesWanted();
     // The first ones make what stays.
     int count = -3;
@@ -77,12 +75,8 @@ void FramesBenchmark::time(const char* what, const std::function<void()>& next) 
         if (next) {
             next();
         }
-        frame.clear();
-        // A frame that came late may have ended the next wait, too.
-        for (QDeadlineTimer patience{kPatienceMs}; frame.isEmpty() && !patience.hasExpired();) {
-            frame.wait(patience.remainingTime());
-        }
-        QVERIFY(!frame.isEmpty());
+        test::NextFrame frame{*window_};
+        QVERIFY(frame.wait(kPatienceMs));
     }
     const auto tookMs = static_cast<double>(watch.nsecsElapsed()) / 1e6;
     qInfo("%s, %s: %.1f ms of processor time for a frame, %.0f frames per second", QTest::currentDataTag(),
