@@ -1,5 +1,6 @@
-# Sourced by run, shell and test, after environment.sh. build TARGET...: configures and builds the release
-# preset, quietly unless something fails.
+# Sourced by run, shell and test, after environment.sh. build [--with-tests] TARGET...: configures and builds the
+# release preset, quietly unless something fails. Tests, which need packages of their own, stay in a build folder
+# that has them.
 # shellcheck disable=SC2016,SC2154  # a script of its own; environment.sh says where the project is
 
 # A build folder that was made elsewhere (moved, or by another system's CMake) is of no use here.
@@ -28,7 +29,13 @@ progress() {
 }
 
 build() {
-    local log="$project/build/build.log" begin=$SECONDS status=0
+    local log="$project/build/build.log" begin=$SECONDS status=0 tests=OFF
+    if [ "$1" = --with-tests ]; then
+        tests=ON
+        shift
+    elif configured_here && grep -qx 'FURROW_TESTS:BOOL=ON' "$project/build/release/CMakeCache.txt"; then
+        tests=ON
+    fi
     mkdir -p "$project/build"
     own "$project/build"
     configured_here || rm -rf "$project/build/release"
@@ -41,9 +48,10 @@ build() {
     fi
     (enter bash -c '
             set -e
-            cd "$1"; shift
-            cmake --preset release
-            cmake --build --preset release --target "$@"' build "$project" "$@") >"$log" 2>&1 </dev/null || status=$?
+            cd "$1"
+            cmake --preset release -DFURROW_TESTS="$2"
+            shift 2
+            cmake --build --preset release --target "$@"' build "$project" "$tests" "$@") >"$log" 2>&1 </dev/null || status=$?
     if [ -n "$teller" ]; then
         kill "$teller"
         wait "$teller" 2>/dev/null || true
