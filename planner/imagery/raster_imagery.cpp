@@ -42,7 +42,8 @@ Result<std::shared_ptr<const Imagery>> RasterImagery::open(const std::filesystem
     RasterDataset raster = openRaster(path);
     if (!raster || raster->GetRasterCount() == 0) {
         return std::unexpected(readFailed(
-            where, raster ? "there is no picture in it" : "it is damaged, or not a picture that Furrow can show",
+            where,
+            raster ? "there is no picture in it" : "it is damaged, or not a picture that Furrow can show",
             "give a GeoTIFF, MBTiles, or a folder of tiles"));
     }
     std::shared_ptr<RasterImagery> made{new RasterImagery{path}};
