@@ -6181,8 +6181,8 @@
         <translation>die Spuren verlaufen %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 s slower than with the best heading</source>
-        <translation>die Spuren verlaufen %1; %2 s langsamer als mit der besten Richtung</translation>
+        <source>swaths run %1; %2 slower than with the best heading</source>
+        <translation>die Spuren verlaufen %1; %2 langsamer als mit der besten Richtung</translation>
     </message>
     <message>
         <source>swaths run %1; %2 more than with the best heading</source>
@@ -6284,8 +6284,8 @@
         <translation>so gibt es weniger Probleme</translation>
     </message>
     <message>
-        <source>it is %1 s quicker</source>
-        <translation>das ist %1 s schneller</translation>
+        <source>it is %1 quicker</source>
+        <translation>das ist %1 schneller</translation>
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>

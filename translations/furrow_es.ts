@@ -6181,8 +6181,8 @@
         <translation>las pasadas van %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 s slower than with the best heading</source>
-        <translation>las pasadas van %1; %2 s más que con la mejor dirección</translation>
+        <source>swaths run %1; %2 slower than with the best heading</source>
+        <translation>las pasadas van %1; %2 más que con la mejor dirección</translation>
     </message>
     <message>
         <source>swaths run %1; %2 more than with the best heading</source>
@@ -6284,8 +6284,8 @@
         <translation>hay menos problemas</translation>
     </message>
     <message>
-        <source>it is %1 s quicker</source>
-        <translation>es %1 s más rápido</translation>
+        <source>it is %1 quicker</source>
+        <translation>es %1 más rápido</translation>
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>

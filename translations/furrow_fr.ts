@@ -6181,8 +6181,8 @@
         <translation>les passages vont %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 s slower than with the best heading</source>
-        <translation>les passages vont %1 ; %2 s de plus qu&apos;avec la meilleure orientation</translation>
+        <source>swaths run %1; %2 slower than with the best heading</source>
+        <translation>les passages vont %1 ; %2 de plus qu&apos;avec la meilleure orientation</translation>
     </message>
     <message>
         <source>swaths run %1; %2 more than with the best heading</source>
@@ -6284,8 +6284,8 @@
         <translation>il y a moins de problèmes</translation>
     </message>
     <message>
-        <source>it is %1 s quicker</source>
-        <translation>c&apos;est plus rapide de %1 s</translation>
+        <source>it is %1 quicker</source>
+        <translation>c&apos;est plus rapide de %1</translation>
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>

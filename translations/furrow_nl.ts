@@ -6181,8 +6181,8 @@
         <translation>de werkgangen lopen %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 s slower than with the best heading</source>
-        <translation>de werkgangen lopen %1; %2 s langzamer dan met de beste richting</translation>
+        <source>swaths run %1; %2 slower than with the best heading</source>
+        <translation>de werkgangen lopen %1; %2 langzamer dan met de beste richting</translation>
     </message>
     <message>
         <source>swaths run %1; %2 more than with the best heading</source>
@@ -6284,8 +6284,8 @@
         <translation>zo zijn er minder problemen</translation>
     </message>
     <message>
-        <source>it is %1 s quicker</source>
-        <translation>dat is %1 s sneller</translation>
+        <source>it is %1 quicker</source>
+        <translation>dat is %1 sneller</translation>
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>

@@ -6181,8 +6181,8 @@
         <translation>as passadas vão %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 s slower than with the best heading</source>
-        <translation>as passadas vão %1; %2 s a mais que com a melhor direção</translation>
+        <source>swaths run %1; %2 slower than with the best heading</source>
+        <translation>as passadas vão %1; %2 a mais que com a melhor direção</translation>
     </message>
     <message>
         <source>swaths run %1; %2 more than with the best heading</source>
@@ -6284,8 +6284,8 @@
         <translation>há menos problemas</translation>
     </message>
     <message>
-        <source>it is %1 s quicker</source>
-        <translation>é %1 s mais rápido</translation>
+        <source>it is %1 quicker</source>
+        <translation>é %1 mais rápido</translation>
     </message>
     <message>
         <source>the margin and the obstacles that may be driven on leave nothing to work</source>

@@ -99,7 +99,7 @@ std::vector<Alternative> headlands(const BestSoFar& best) {
         const int passes = best.plan.laidOut.headland->passes;
         for (const int other : {passes - 1, passes + 1}) {
             if (other > 0) {
-                Alternative alternative = withValue("headland.passes", std::to_string(other));
+                Alternative alternative = withValue("headland.passes", std::to_string(other), kPasses.name);
                 if (settings.isSet(kHeadlandWidth)) {
                     alternative.changes.push_back({std::string{kHeadlandWidth.key}, {}});
                 }

@@ -11,6 +11,7 @@
 #include "planner/route/route_costs.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
+#include "planner/units/time_message.h"
 
 #include <algorithm>
 #include <array>
@@ -22,10 +23,6 @@ namespace furrow {
 
 namespace {
 
-constexpr double kMinuteS = 60.0;
-// Shorter times are told in seconds, longer ones in hours.
-constexpr double kSecondsUpToS = 90.0;
-constexpr double kMinutesUpToS = 90.0 * kMinuteS;
 // A smaller difference is nothing that anybody would change a plan for.
 constexpr double kWorthTellingS = 5.0;
 constexpr double kWorthTellingShare = 0.005;
@@ -33,18 +30,6 @@ constexpr double kSameShownDeg = 0.05;
 constexpr double kDryM2 = 0.5;
 // The outermost pass touches the edge; that is no news.
 constexpr double kTouchesM = 0.01;
-
-Message timeMessage(Duration time) {
-    const double s = std::abs(time.si());
-    if (s < kSecondsUpToS) {
-        return message("{:.0f} s", s);
-    }
-    if (s < kMinutesUpToS) {
-        return message("{:.0f} min", s / kMinuteS);
-    }
-    const auto minutes = static_cast<int>(std::lround(s / kMinuteS));
-    return message("{} h {} min", minutes / 60, minutes % 60);
-}
 
 bool isWorthTelling(Duration difference, Duration whole) {
     return std::abs(difference.si()) >= std::max(kWorthTellingS, kWorthTellingShare * whole.si());

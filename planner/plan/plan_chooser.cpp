@@ -12,6 +12,7 @@
 #include "planner/route/route_costs.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
+#include "planner/units/time_message.h"
 
 #include <algorithm>
 #include <string>
@@ -123,7 +124,7 @@ bool isBetter(const PlannedStages& other, const PlannedStages& plan) {
 Message reasonFor(const PlannedStages& better, const PlannedStages& other) {
     return problemsOf(better) < problemsOf(other)
                ? Message{"it has fewer problems"}
-               : message("it is {:.0f} s quicker", (timeOf(other) - timeOf(better)).si());
+               : message("it is {} quicker", timeMessage(timeOf(other) - timeOf(better)));
 }
 
 bool isTooLargeToCompare(const PlannedStages& plan) {

@@ -3,6 +3,7 @@
 #include "planner/geometry/simplify.h"
 #include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
+#include "planner/units/time_message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,10 +109,10 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     const HeadingFigures& chosen = preferred.chosen.figures;
     const HeadingFigures& best = preferred.best->figures;
     Message text = message("swaths run {}", along);
-    const double slowerS = (chosen.time - best.time).si();
+    const Duration slower = chosen.time - best.time;
     const double moreM = (chosen.length + chosen.missed - best.length - best.missed).si();
-    if (objective == SwathObjective::Time && slowerS >= kWorthTelling) {
-        text = message("swaths run {}; {:.0f} s slower than with the best heading", along, slowerS);
+    if (objective == SwathObjective::Time && slower.si() >= kWorthTelling) {
+        text = message("swaths run {}; {} slower than with the best heading", along, timeMessage(slower));
     } else if (objective == SwathObjective::Length && moreM >= kWorthTelling) {
         text = message("swaths run {}; {:.0f} m more than with the best heading", along, moreM);
     }

@@ -61,6 +61,7 @@ Column {
                 height: 6
 
                 Rectangle {
+                    visible: row.share > 0
                     width: Math.max(2, parent.width * row.share)
                     height: parent.height
                     radius: 3

@@ -36,6 +36,11 @@ private slots:
         QTest::keyClick(window_, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(search().state(), BestSearch::State::Done, kSearchMs);
         QVERIFY(search().table()->rowCount() > 0);
+        for (int row = 0; row < search().table()->rowCount(); ++row) {
+            const QModelIndex index = search().table()->index(row);
+            const bool isSame = index.data(ChoiceTableModel::WorthRole) == QStringLiteral("the same time");
+            QVERIFY(!isSame || index.data(ChoiceTableModel::ShareRole).toDouble() == 0.0);
+        }
         QVERIFY(search().alternatives() > 10);
         QVERIFY(search().isBetter());
         QTRY_VERIFY(shown("best.take"));
