@@ -6694,6 +6694,10 @@
         <translation>er ist draft, issued, in_progress oder done</translation>
     </message>
     <message>
+        <source>no heading is much quicker</source>
+        <translation>keine Richtung ist viel schneller</translation>
+    </message>
+    <message>
         <source>no heading is quicker</source>
         <translation>keine Richtung ist schneller</translation>
     </message>

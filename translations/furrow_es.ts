@@ -6694,6 +6694,10 @@
         <translation>es draft, issued, in_progress o done</translation>
     </message>
     <message>
+        <source>no heading is much quicker</source>
+        <translation>ninguna dirección es mucho más rápida</translation>
+    </message>
+    <message>
         <source>no heading is quicker</source>
         <translation>ninguna dirección es más rápida</translation>
     </message>

@@ -6694,6 +6694,10 @@
         <translation>c&apos;est draft, issued, in_progress ou done</translation>
     </message>
     <message>
+        <source>no heading is much quicker</source>
+        <translation>aucune orientation n&apos;est nettement plus rapide</translation>
+    </message>
+    <message>
         <source>no heading is quicker</source>
         <translation>aucune orientation n&apos;est plus rapide</translation>
     </message>

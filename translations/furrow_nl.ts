@@ -6694,6 +6694,10 @@
         <translation>het is draft, issued, in_progress of done</translation>
     </message>
     <message>
+        <source>no heading is much quicker</source>
+        <translation>geen richting is veel sneller</translation>
+    </message>
+    <message>
         <source>no heading is quicker</source>
         <translation>geen richting is sneller</translation>
     </message>

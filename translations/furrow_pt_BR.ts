@@ -6694,6 +6694,10 @@
         <translation>é draft, issued, in_progress ou done</translation>
     </message>
     <message>
+        <source>no heading is much quicker</source>
+        <translation>nenhuma direção é muito mais rápida</translation>
+    </message>
+    <message>
         <source>no heading is quicker</source>
         <translation>nenhuma direção é mais rápida</translation>
     </message>

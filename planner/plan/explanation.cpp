@@ -122,13 +122,16 @@ Message againstLongestEdge(const HeadingCurve& curve) {
                    bearingMessage(edge.heading));
 }
 
-Message againstQuickest(const HeadingCurve& curve) {
+Message againstQuickest(const Plan& plan, const HeadingCurve& curve) {
     const HeadingTrial& chosen = curve.trials[curve.chosen];
     const HeadingTrial& quickest = curve.trials[curve.quickest];
     if (const auto lost = savedBetween(quickest, chosen)) {
         return message("by this estimate {} would save {}", bearingMessage(quickest.heading), *lost);
     }
-    return message("no heading is quicker");
+    // A finding tells by how little the edge that was preferred is slower.
+    return std::ranges::contains(plan.swaths.notes, kPreferEdge.key, &Note::where)
+               ? message("no heading is much quicker")
+               : message("no heading is quicker");
 }
 
 /// What the search looked for, where that is not the time.
@@ -163,7 +166,7 @@ std::optional<Message> whySwaths(const Plan& plan, const std::optional<HeadingCu
         return std::nullopt;
     }
     const Message compared =
-        message("{}; {}.", againstLongestEdge(*curve), againstQuickest(*curve)).capitalised();
+        message("{}; {}.", againstLongestEdge(*curve), againstQuickest(plan, *curve)).capitalised();
     const auto objective = byObjective(plan, *curve);
     return objective ? *objective + " " + compared : compared;
 }

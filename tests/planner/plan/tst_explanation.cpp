@@ -3,6 +3,7 @@
 #include "planner/machine/machine_library.h"
 #include "planner/plan/explanation.h"
 #include "planner/plan/method_registry.h"
+#include "planner/swaths/methods.h"
 #include "planner/units/angle.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/real_fields.h"
@@ -90,6 +91,7 @@ private slots:
     void noCurveWithoutACommonHeading_data();
     void noCurveWithoutACommonHeading();
     void comparesHeadings();
+    void preferredEdges();
     void comparesOrders();
     void saysWhatATurnNeeds();
     void speaksOfEveryShippedField();
@@ -174,6 +176,19 @@ void TestExplanation::comparesHeadings() {
         given.c_str());
     const std::string fewest = textOf(told(*bareRectangle({{"swaths.objective", "swath-count"}})), "swaths");
     QVERIFY2(fewest.starts_with("No heading has fewer than 17 swaths. "), fewest.c_str());
+}
+
+/// A finding says that the edge is some seconds slower; the reason beside it must not deny that.
+void TestExplanation::preferredEdges() {
+    int preferred = 0;
+    for (const auto& plan : somePlans()) {
+        const std::string said = textOf(told(*plan), "swaths");
+        const bool isPreferred = std::ranges::contains(plan->swaths.notes, kPreferEdge.key, &Note::where);
+        QVERIFY2(!said.contains(isPreferred ? "no heading is quicker" : "no heading is much quicker"),
+                 said.c_str());
+        preferred += isPreferred && said.contains("no heading is much quicker") ? 1 : 0;
+    }
+    QVERIFY(preferred > 0);
 }
 
 void TestExplanation::comparesOrders() {
