@@ -296,7 +296,7 @@ private slots:
         QTest::addColumn<QString>("said");
         QTest::newRow("not there") << "nowhere.tif" << "there is no such file or folder";
         QTest::newRow("empty") << "empty.tif" << "the file is empty";
-        QTest::newRow("text") << "text.tif" << "it is damaged, or no picture";
+        QTest::newRow("text") << "text.tif" << "it is damaged, or not a picture";
         QTest::newRow("no place") << "nowhere-placed.tif" << "does not say where it lies";
         QTest::newRow("a folder without tiles") << "folder" << "no tiles in this folder";
         QTest::newRow("vast without overviews") << "vast.tif" << "too large to be shown without overviews";
