@@ -3,6 +3,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/geometry/nearest_on_edges.h"
 #include "planner/geometry/polygon_memo.h"
+#include "planner/headland/swept_land.h"
 #include "planner/jobs/parallel.h"
 #include "planner/units/angle.h"
 
@@ -62,69 +63,6 @@ constexpr std::size_t kMostPieces = 100;
 constexpr std::size_t kMostAhead = 50;
 // Bends whose room is looked at together, by several threads.
 constexpr std::ptrdiff_t kAtOnce = 8;
-
-/// What an implement sweeps between its working lines. While both of its ends go ahead, one polygon; the
-/// overlay of some hundred triangles would take longer than all else.
-class SweptLand {
-public:
-    explicit SweptLand(const WorkingLine& first) : run_{first} {}
-
-    void to(const WorkingLine& line) {
-        const WorkingLine& last = run_.back();
-        const bool isAhead = cross(line.first - last.first, line.second - last.first) > 0.0 &&
-                             cross(line.second - last.first, last.second - last.first) > 0.0;
-        if (!isAhead) {
-            endRun();
-            addTriangle({last.first, line.first, line.second});
-            addTriangle({last.first, line.second, last.second});
-            run_ = {line};
-            return;
-        }
-        run_.push_back(line);
-        if (turnsBy(run_.front(), line) > kMostOfRun) {
-            endRun();
-            run_ = {line};
-        }
-    }
-
-    MultiPolygon polygons() {
-        endRun();
-        return std::move(polygons_);
-    }
-
-private:
-    // A sharper run could meet itself.
-    static constexpr double kMostOfRun = 0.5;  // sine
-
-    static double turnsBy(const WorkingLine& from, const WorkingLine& to) {
-        const Point a = from.second - from.first;
-        const Point b = to.second - to.first;
-        return std::abs(cross(a, b)) / (norm(a) * norm(b));
-    }
-
-    void addTriangle(Ring ring) {
-        const double twice = signedAreaM2(ring);
-        if (twice < 0.0) {
-            std::swap(ring[1], ring[2]);
-        }
-        if (twice != 0.0) {
-            polygons_.push_back({.outer = std::move(ring), .holes = {}});
-        }
-    }
-
-    void endRun() {
-        if (run_.size() < 2) {
-            return;
-        }
-        Ring ring;
-        std::ranges::transform(run_, std::back_inserter(ring), &WorkingLine::first);
-        std::ranges::transform(run_ | std::views::reverse, std::back_inserter(ring), &WorkingLine::second);
-        polygons_.push_back({.outer = std::move(ring), .holes = {}});
-    }
-
-    std::vector<WorkingLine> run_;
-    MultiPolygon polygons_;
-};
 
 }  // namespace
 
@@ -537,8 +475,8 @@ double FullLockPasses::closeM() const {
     return kCloseShare * lowered_->machine().operatingWidth().si();
 }
 
-Length FullLockPasses::leadOf(double lengths) const {
-    return std::max(metres(lengths * straightM_), lowered_->machine().runIn());
+double FullLockPasses::leadM(double lengths) const {
+    return std::max(lengths * straightM_, lowered_->machine().runIn().si());
 }
 
 Result<void> FullLockPasses::lookAhead(std::span<const Polygon> pieces,
@@ -557,7 +495,7 @@ Result<void> FullLockPasses::lookAhead(std::span<const Polygon> pieces,
             };
             FailedPoses failed;
             const AskedAccess asked{access, failed, closeM()};
-            Trial{*this, pieces[i], **known}.best(leadOf(kLengthsIn.front()).si(), asked, job);
+            Trial{*this, pieces[i], **known}.best(leadM(kLengthsIn.front()), asked, job);
         },
         job);
 }
@@ -580,7 +518,7 @@ std::optional<BentPass> FullLockPasses::over(const Polygon& piece,
     const AskedAccess asked{access, failed_, closeM()};
     std::optional<Candidate> best;
     for (const double lengths : kLengthsIn) {
-        auto pass = trial.best(leadOf(lengths).si(), asked, job);
+        auto pass = trial.best(leadM(lengths), asked, job);
         if (pass && (!best || pass->gainM2 > best->gainM2)) {
             best = std::move(pass);
         }

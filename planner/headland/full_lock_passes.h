@@ -81,7 +81,7 @@ private:
 
     Result<std::shared_ptr<Piece>> tried(const Polygon& piece, const JobContext& job) const;
     /// The straight before a bend, for so many lengths of the trailed part.
-    Length leadOf(double lengths) const;
+    double leadM(double lengths) const;
     /// Poses closer than this are one.
     double closeM() const;
 
