@@ -29,6 +29,10 @@ Duration size(Duration difference) {
     return seconds(std::abs(difference.si()));
 }
 
+bool takesTheSameTime(const TriedChoice& tried) {
+    return !isTaken(tried) && size(tried.difference) < kSame;
+}
+
 }  // namespace
 
 void ChoiceTableModel::show(const ChoiceTable& table) {
@@ -70,18 +74,15 @@ QVariant ChoiceTableModel::data(const QModelIndex& index, int role) const {
                 return row.difference > Duration{} ? tr("saves %1").arg(exactDurationText(row.difference))
                                                    : tr("mends the plan");
             }
-            if (size(row.difference) < kSame) {
+            if (takesTheSameTime(row)) {
                 return tr("the same time");
             }
             return row.difference > Duration{} ? tr("%1 slower").arg(exactDurationText(row.difference))
                                                : tr("%1 quicker").arg(exactDurationText(-row.difference));
         }
         case TakenRole: return isTaken(row);
-        case ShareRole: {
-            // No bar beside "the same time".
-            const bool isSame = !isTaken(row) && size(row.difference) < kSame;
-            return most_ > Duration{} && !isSame ? size(row.difference) / most_ : 0.0;
-        }
+        case ShareRole:
+            return most_ > Duration{} && !takesTheSameTime(row) ? size(row.difference) / most_ : 0.0;
         default: return {};
     }
 }
