@@ -40,9 +40,14 @@ target_compile_options(furrow_warnings INTERFACE
 
 # Headers that nearly every source of a target includes: a fifth to a third of the time of compiling one. Sources name
 # them all the same. Not with clang, whose precompiled headers ccache does not know.
+# furrow_precompile_headers(TARGET REUSE_FROM OTHER) takes those of another target: its definitions are among TARGET's.
 function(furrow_precompile_headers target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-        target_precompile_headers(${target} PRIVATE ${ARGN})
+        if("${ARGV1}" STREQUAL REUSE_FROM)
+            target_precompile_headers(${target} ${ARGN})
+        else()
+            target_precompile_headers(${target} PRIVATE ${ARGN})
+        endif()
         target_compile_options(${target} PRIVATE -fpch-preprocess  # for ccache
             -Wno-array-bounds)  # GCC 14 warns of precompiled strings, wrongly
     endif()
