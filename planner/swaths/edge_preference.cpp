@@ -26,8 +26,8 @@ constexpr double kSameDeg = 1e-6;
 // A smaller difference needs no note: it is less than two decimetres over a kilometre.
 constexpr double kUnseenDeg = 0.01;
 constexpr double kApartDeg = 1.0;
-// Less is told as 0 s or 0 m.
-constexpr double kWorthTelling = 0.5;
+// Seconds or metres. Estimated turns are no more exact.
+constexpr double kWorthTelling = 5.0;
 constexpr std::size_t kMostCandidates = 4;
 
 double apartDeg(Angle a, Angle b) {

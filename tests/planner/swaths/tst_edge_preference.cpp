@@ -122,31 +122,34 @@ private slots:
         QVERIFY2(apart > 5, std::format("{}", apart).c_str());
     }
 
-    // Over generated fields: within half a percent of the best the longest edge wins, otherwise the longest
+    // Over generated fields: within a share of the best the longest edge wins, otherwise the longest
     // of those that are; and what is chosen costs no more, and says so.
     void withinTheShareTheLongestEdgeWins() {
         std::mt19937_64 random{57};
         int preferred = 0;
+        int told = 0;
         for (int i = 0; i < 20; ++i) {
             const Field field = fieldFrom(
                 test::randomPolygons(random, i % 2 == 0 ? test::Shape::Convex : test::Shape::Concave, 150.0));
+            const double percent = i % 4 < 2 ? 0.5 : 3.0;
+            const double most = 1.0 + percent / 100.0;
             for (const auto* method : {&kExactMethod, &kBruteForceMethod, &kOksanenMethod}) {
                 const auto best = found(*method, field, "time", "0");
-                const auto set = found(*method, field, "time", "0.5");
+                const auto set = found(*method, field, "time", std::to_string(percent));
                 VERIFY_RESULT(best);
                 VERIFY_RESULT(set);
                 const double bestS = timeOf(field, best->heading).time.si();
-                QVERIFY(timeOf(field, set->heading).time.si() <= 1.005 * bestS + 1e-6);
+                QVERIFY(timeOf(field, set->heading).time.si() <= most * bestS + 1e-6);
                 const std::vector<LongEdge> edges =
                     longEdges(field.boundary(), test::agbot().operatingWidth());
                 const auto wins = std::ranges::find_if(edges, [&](const LongEdge& edge) {
-                    return timeOf(field, edge.heading).time.si() <= 1.005 * bestS;
+                    return timeOf(field, edge.heading).time.si() <= most * bestS;
                 });
                 if (wins != edges.end()) {
                     QVERIFY2(betweenDeg(set->heading, wins->heading) < 1e-5,
                              qPrintable(QString("field %1, %2: %3, not %4")
                                             .arg(i)
-                                            .arg(method->info.id.data())
+                                            .arg(QString::fromStdString(std::string{method->info.id}))
                                             .arg(inDegrees(set->heading))
                                             .arg(inDegrees(wins->heading))));
                     const bool isMoved = betweenDeg(set->heading, best->heading) > 0.01;
@@ -156,9 +159,10 @@ private slots:
                         QVERIFY(set->notes.front().text.contains(
                             wins == edges.begin() ? "along the longest edge" : "along an edge"));
                         const double slowerS = timeOf(field, set->heading).time.si() - bestS;
+                        // Less than 5 s is within what an estimate may be wrong by.
                         QCOMPARE(set->notes.front().text.contains("slower than with the best heading"),
-                                 slowerS >= 0.5);
-                        QVERIFY(!set->notes.front().text.contains("; 0 s"));
+                                 slowerS >= 5.0);
+                        told += slowerS >= 5.0 ? 1 : 0;
                     }
                 } else {
                     COMPARE_WITHIN(set->heading.si(), best->heading.si(), 0.0);
@@ -166,7 +170,7 @@ private slots:
                 }
             }
         }
-        QVERIFY2(preferred > 5, qPrintable(QString::number(preferred)));
+        QVERIFY2(preferred > 5 && told > 2, qPrintable(QString("%1, %2").arg(preferred).arg(told)));
     }
 
     // By number and coverage nothing may get worse for an edge.
