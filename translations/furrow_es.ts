@@ -7479,6 +7479,13 @@
     </message>
 </context>
 <context>
+    <name>SettingText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>SidePanel</name>
     <message>
         <source>Back to the plan (Esc)</source>
@@ -8100,10 +8107,6 @@
     <message>
         <source>Kept free at the edge</source>
         <translation>Margen libre en el borde</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Plan and settings</source>
@@ -9079,8 +9082,8 @@
         </translation>
     </message>
     <message>
-        <source>%1. Before: %2. Now: %3.</source>
-        <translation>%1. Antes: %2. Ahora: %3.</translation>
+        <source>%1 → %2. Before: %3. Now: %4.</source>
+        <translation>%1 → %2. Antes: %3. Ahora: %4.</translation>
     </message>
 </context>
 <context>
@@ -9342,10 +9345,6 @@
     <message>
         <source>Problems</source>
         <translation>Problemas</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>The standard settings</source>

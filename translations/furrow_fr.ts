@@ -7479,6 +7479,13 @@
     </message>
 </context>
 <context>
+    <name>SettingText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>SidePanel</name>
     <message>
         <source>Back to the plan (Esc)</source>
@@ -8100,10 +8107,6 @@
     <message>
         <source>Kept free at the edge</source>
         <translation>Marge libre au bord</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>Plan and settings</source>
@@ -9079,8 +9082,8 @@
         </translation>
     </message>
     <message>
-        <source>%1. Before: %2. Now: %3.</source>
-        <translation>%1. Avant : %2. Maintenant : %3.</translation>
+        <source>%1 → %2. Before: %3. Now: %4.</source>
+        <translation>%1 → %2. Avant : %3. Maintenant : %4.</translation>
     </message>
 </context>
 <context>
@@ -9342,10 +9345,6 @@
     <message>
         <source>Problems</source>
         <translation>Problèmes</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>The standard settings</source>

@@ -7479,6 +7479,13 @@
     </message>
 </context>
 <context>
+    <name>SettingText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>SidePanel</name>
     <message>
         <source>Back to the plan (Esc)</source>
@@ -8100,10 +8107,6 @@
     <message>
         <source>Kept free at the edge</source>
         <translation>Vrij gehouden langs de rand</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Plan and settings</source>
@@ -9079,8 +9082,8 @@
         </translation>
     </message>
     <message>
-        <source>%1. Before: %2. Now: %3.</source>
-        <translation>%1. Eerst: %2. Nu: %3.</translation>
+        <source>%1 → %2. Before: %3. Now: %4.</source>
+        <translation>%1 → %2. Eerst: %3. Nu: %4.</translation>
     </message>
 </context>
 <context>
@@ -9342,10 +9345,6 @@
     <message>
         <source>Problems</source>
         <translation>Problemen</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>The standard settings</source>

@@ -6,6 +6,7 @@
 #include "planner/project/project_edits.h"
 #include "ui/plan/plan_job.h"
 #include "ui/text/display.h"
+#include "ui/text/setting_text.h"
 #include "ui/text/unit_text.h"
 
 #include <algorithm>
@@ -65,14 +66,6 @@ QString differenceText(Figure figure, std::optional<double> first, std::optional
     const QString amount =
         figure == Figure::Time ? exactDurationText(seconds(difference)) : figureText(figure, difference);
     return (*second > *first ? QStringLiteral("+") : QStringLiteral("\u2212")) + amount;
-}
-
-/// "Swaths: Overlap", as the steps have it.
-QString nameOf(const Parameter& parameter) {
-    const std::string_view id = parameter.key.substr(0, parameter.key.find('.'));
-    const auto stage = std::ranges::find(stages(), id, &StageInfo::id);
-    const QString name = shown(parameter.name);
-    return stage == stages().end() ? name : PlanComparison::tr("%1: %2").arg(shown(stage->name), name);
 }
 
 }  // namespace
@@ -249,7 +242,7 @@ QVariantList PlanComparison::settings() const {
         add(tr("Machine"), machine(*first()), machine(*second()));
     }
     for (const SettingDifference& setting : difference()->settings) {
-        add(nameOf(*setting.parameter), shown(shownValue(*setting.parameter, setting.first)),
+        add(settingName(*setting.parameter), shown(shownValue(*setting.parameter, setting.first)),
             shown(shownValue(*setting.parameter, setting.second)));
     }
     return rows;

@@ -9,6 +9,7 @@
 #include "ui/pages/sheet_map.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
+#include "ui/text/setting_text.h"
 #include "ui/text/unit_text.h"
 
 #include <QCoreApplication>
@@ -46,15 +47,6 @@ QString turnName(const std::string& id) {
 QString operationName(const std::string& id) {
     const auto choice = std::ranges::find(kOperationKind.choices, id, &Choice::id);
     return choice == kOperationKind.choices.end() ? fromStd(id) : shown(choice->name);
-}
-
-QString stageOf(const Parameter& parameter) {
-    for (const StageInfo& stage : stages()) {
-        if (parameter.key.starts_with(stage.id)) {
-            return shown(stage.name);
-        }
-    }
-    return {};
 }
 
 /// Of a stage's setting that picks its method, the method.
@@ -351,10 +343,7 @@ std::vector<OrderLayout::Row> OrderLayout::planRows() const {
                         inOneLine({numberText(figures.refills, 0), lengthText(figures.refillWay)})});
     }
     for (const SheetSetting& setting : sheet_.settings) {
-        const QString stage = stageOf(*setting.parameter);
-        const QString name = shown(setting.parameter->name);
-        rows.push_back({stage.isEmpty() || stage == name ? name : LayoutWords::tr("%1: %2").arg(stage, name),
-                        settingValue(setting)});
+        rows.push_back({settingName(*setting.parameter), settingValue(setting)});
     }
     return rows;
 }

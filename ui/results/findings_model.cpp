@@ -5,24 +5,37 @@
 #include "planner/plan/shown_value.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
+#include "ui/text/setting_text.h"
 #include "ui/text/unit_text.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace furrow {
 
 namespace {
 
-/// "Passes: 3"; empty for a change that cannot be read.
-QString changeText(const SettingChange& change) {
+struct ShownChange {
+    const Parameter* parameter = nullptr;
+    QString value;
+};
+
+/// Empty for a change that cannot be read.
+std::optional<ShownChange> shownChange(const SettingChange& change) {
     const auto parameter = findParameter(change.key);
     Settings settings;
     if (!parameter || !settings.setText(**parameter, change.value)) {
-        return {};
+        return std::nullopt;
     }
-    return FindingsModel::tr("%1: %2").arg(shown((*parameter)->name),
-                                           shown(shownValue(**parameter, settings.value(**parameter))));
+    return ShownChange{.parameter = *parameter,
+                       .value = shown(shownValue(**parameter, settings.value(**parameter)))};
+}
+
+/// "Passes: 3", for the button of a finding.
+QString changeText(const SettingChange& change) {
+    const auto to = shownChange(change);
+    return to ? FindingsModel::tr("%1: %2").arg(shown(to->parameter->name), to->value) : QString{};
 }
 
 }  // namespace
@@ -200,14 +213,15 @@ QHash<int, QByteArray> FindingsModel::roleNames() const {
 }
 
 QString FindingsModel::outcome() const {
-    if (!applied_ || !applied_->after) {
+    const auto to = applied_ && applied_->after ? shownChange(applied_->change) : std::nullopt;
+    if (!to) {
         return {};
     }
     const auto problems = [](std::ptrdiff_t count) {
         return count == 0 ? tr("no problems") : tr("%n problem(s)", nullptr, static_cast<int>(count));
     };
-    return tr("%1. Before: %2. Now: %3.")
-        .arg(changeText(applied_->change), problems(applied_->before), problems(*applied_->after));
+    return tr("%1 → %2. Before: %3. Now: %4.")
+        .arg(settingName(*to->parameter), to->value, problems(applied_->before), problems(*applied_->after));
 }
 
 void FindingsModel::apply(int finding) {

@@ -80,6 +80,26 @@ private slots:
         QCOMPARE(model.nextOfKind(-1, 1), 0);
         QCOMPARE(model.nextOfKind(-1, -1), 7);
     }
+
+    // The name of a setting alone does not say what it is of: passes, width and method are in several steps.
+    void saysWhatBecameOfAChange() {
+        FindingsModel model;
+        std::vector<Finding> all = findings(1);
+        all[0].change = SettingChange{.key = "headland.passes", .value = "3"};
+        all[1].change = SettingChange{.key = "no.setting", .value = "3"};
+        model.show(all, {});
+        model.apply(0);
+        QCOMPARE(model.outcome(), QString{});
+        model.show({}, {});
+        QVERIFY2(model.outcome().startsWith(QStringLiteral("Headland: Passes \u2192 3. Before: 2 ")),
+                 qPrintable(model.outcome()));
+        QVERIFY2(model.outcome().endsWith(QStringLiteral("Now: no problems.")), qPrintable(model.outcome()));
+        // What cannot be read is not told.
+        model.show(all, {});
+        model.apply(1);
+        model.show({}, {});
+        QCOMPARE(model.outcome(), QString{});
+    }
 };
 
 FURROW_TEST(TestFindingsModel);
