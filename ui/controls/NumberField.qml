@@ -49,11 +49,9 @@ T.TextField {
     Accessible.name: root.name
     Accessible.description: root.wrong ? root.complaint : root.unitText
 
-    background: Rectangle {
-        radius: Theme.radius
-        color: Theme.panel
-        border.width: root.activeFocus ? 2 : Theme.hairline
-        border.color: root.wrong ? Theme.failure : root.activeFocus ? Theme.accent : Theme.line
+    background: EntryFrame {
+        focused: root.activeFocus
+        wrong: root.wrong
 
         BodyText {
             anchors { left: parent.left; leftMargin: 12; verticalCenter: parent.verticalCenter }

@@ -30,22 +30,13 @@ T.TextArea {
     }
     Accessible.name: root.name
 
-    background: Rectangle {
-        radius: Theme.radius
-        color: Theme.panel
-        border.width: root.activeFocus ? 2 : Theme.hairline
-        border.color: root.activeFocus ? Theme.accent : Theme.line
+    background: EntryFrame {
+        focused: root.activeFocus
     }
 
-    BodyText {
-        x: root.leftPadding
-        width: parent.width - root.leftPadding - root.rightPadding
-        anchors.verticalCenter: parent.verticalCenter
+    EntryHint {
         visible: root.text.length === 0 && root.preeditText.length === 0
         text: root.placeholderText
-        color: Theme.muted
-        elide: Text.ElideRight
-        Accessible.ignored: true
     }
 
     Keys.onPressed: event => {

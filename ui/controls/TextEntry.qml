@@ -31,22 +31,14 @@ T.TextField {
     }
     Accessible.name: root.name
 
-    background: Rectangle {
-        radius: Theme.radius
-        color: Theme.panel
-        border.width: root.activeFocus ? 2 : Theme.hairline
-        border.color: root.wrong ? Theme.failure : root.activeFocus ? Theme.accent : Theme.line
+    background: EntryFrame {
+        focused: root.activeFocus
+        wrong: root.wrong
     }
 
-    BodyText {
-        x: root.leftPadding
-        width: parent.width - root.leftPadding - root.rightPadding
-        anchors.verticalCenter: parent.verticalCenter
+    EntryHint {
         visible: root.text.length === 0 && root.preeditText.length === 0
         text: root.placeholderText
-        color: Theme.muted
-        elide: Text.ElideRight
-        Accessible.ignored: true
     }
 
     onValueChanged: root.text = root.value

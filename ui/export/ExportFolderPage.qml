@@ -129,11 +129,8 @@ Column {
                 font.pixelSize: Theme.bodySize
                 Accessible.name: qsTr("Folder")
                 onAccepted: root.write()
-                background: Rectangle {
-                    radius: Theme.radius
-                    color: Theme.panel
-                    border.width: folder.activeFocus ? 2 : Theme.hairline
-                    border.color: folder.activeFocus ? Theme.accent : Theme.line
+                background: EntryFrame {
+                    focused: folder.activeFocus
                 }
             }
             PushButton {

@@ -40,14 +40,11 @@ Column {
         wrapMode: Text.WordWrap
         lineHeight: 1.15
     }
-    Rectangle {
+    EntryFrame {
         width: parent.width
         height: list.height + 8
         visible: root.order.pointing
-        radius: Theme.radius
-        color: Theme.panel
-        border.width: list.activeFocus ? 2 : Theme.hairline
-        border.color: list.activeFocus ? Theme.accent : Theme.line
+        focused: list.activeFocus
 
         ListView {
             id: list

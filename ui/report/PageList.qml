@@ -4,16 +4,14 @@ import QtQuick.Templates as T
 import Furrow.Controls
 
 /// The pages as they will be printed, one below the other.
-Rectangle {
+EntryFrame {
     id: root
 
     required property Printing printing
     readonly property alias list: list
 
-    radius: Theme.radius
     color: Theme.mapGround
-    border.width: list.activeFocus ? 2 : Theme.hairline
-    border.color: list.activeFocus ? Theme.accent : Theme.line
+    focused: list.activeFocus
 
     ListView {
         id: list
