@@ -65,14 +65,6 @@ Result<MultiPolygon> reachable(const AuditInput& input, const MultiPolygon& area
                : middles;
 }
 
-MultiPolygon withoutHoles(const MultiPolygon& polygons) {
-    MultiPolygon filled;
-    for (const Polygon& polygon : polygons) {
-        filled.push_back({.outer = polygon.outer, .holes = {}});
-    }
-    return filled;
-}
-
 MultiPolygon gateDiscs(const std::vector<AuditGate>& gates) {
     constexpr int kCorners = 64;
     MultiPolygon discs;

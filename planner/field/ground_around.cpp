@@ -14,11 +14,7 @@ constexpr double kFarM = 1000.0;
 }  // namespace
 
 Result<MultiPolygon> obstaclesOf(const Field& field, const MultiPolygon& free, const JobContext& job) {
-    MultiPolygon outlines;
-    for (const Polygon& part : field.boundary()) {
-        outlines.push_back({.outer = part.outer, .holes = {}});
-    }
-    return unionOf(outlines, job).and_then([&](const MultiPolygon& land) {
+    return unionOf(withoutHoles(field.boundary()), job).and_then([&](const MultiPolygon& land) {
         return difference(land, free, job);
     });
 }

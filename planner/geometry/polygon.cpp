@@ -36,6 +36,15 @@ Area area(const MultiPolygon& polygons) {
     return sum;
 }
 
+MultiPolygon withoutHoles(const MultiPolygon& polygons) {
+    MultiPolygon filled;
+    filled.reserve(polygons.size());
+    for (const Polygon& polygon : polygons) {
+        filled.push_back({.outer = polygon.outer, .holes = {}});
+    }
+    return filled;
+}
+
 Bounds bounds(const MultiPolygon& polygons) {
     Bounds box;
     bool first = true;

@@ -46,6 +46,10 @@ Area area(const MultiPolygon& polygons);
 /// Bounds of the outer rings; zero for no polygons.
 Bounds bounds(const MultiPolygon& polygons);
 
+/// The outer rings alone.
+MultiPolygon withoutHoles(const MultiPolygon& polygons);
+
+
 double lengthM(std::span<const Point> line);
 
 /// Even-odd rule; on an edge either answer. Cost: one test of each edge.

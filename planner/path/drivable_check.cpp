@@ -44,15 +44,6 @@ Ring shrunken(Ring footprint) {
     return footprint;
 }
 
-/// The same without holes. A place outside this area lies outside the field.
-MultiPolygon withoutHoles(const MultiPolygon& polygons) {
-    MultiPolygon filled;
-    for (const Polygon& polygon : polygons) {
-        filled.push_back({.outer = polygon.outer, .holes = {}});
-    }
-    return filled;
-}
-
 std::vector<RigPart> shrunkenParts(const Machine& machine, ImplementAt implement, bool overhangs) {
     std::vector<RigPart> parts = rigParts(machine, implement, overhangs);
     for (RigPart& part : parts) {
@@ -78,7 +69,7 @@ struct Shapes {
     std::vector<RigPart> lowered;
 };
 
-/// An area, and the same without holes.
+/// An area, and the same without holes: a place outside that lies outside the field.
 struct PreparedLand {
     explicit PreparedLand(const MultiPolygon& polygons) : area{polygons}, land{withoutHoles(polygons)} {}
 

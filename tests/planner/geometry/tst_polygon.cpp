@@ -1,5 +1,6 @@
 #include "planner/geometry/polygon.h"
 #include "tests/support/field_generator.h"
+#include "tests/support/result_check.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -42,6 +43,18 @@ private slots:
             QVERIFY(!expected.empty());
             QVERIFY(placesInside(field, stepM) == expected);
         }
+    }
+
+    void withoutHolesByHand() {
+        const Polygon square{.outer = {{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+                             .holes = {{{1, 1}, {1, 3}, {3, 3}, {3, 1}}}};
+        const Polygon triangle{.outer = {{10, 0}, {14, 0}, {10, 3}}, .holes = {}};
+        const MultiPolygon filled = withoutHoles({square, triangle});
+        QCOMPARE(filled.size(), std::size_t{2});
+        QVERIFY(filled[0].holes.empty());
+        COMPARE_WITHIN(area({square, triangle}).si(), 12.0 + 6.0, 1e-12);
+        COMPARE_WITHIN(area(filled).si(), 16.0 + 6.0, 1e-12);
+        QVERIFY(withoutHoles({}).empty());
     }
 };
 
