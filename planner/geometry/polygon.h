@@ -49,7 +49,6 @@ Bounds bounds(const MultiPolygon& polygons);
 /// The outer rings alone.
 MultiPolygon withoutHoles(const MultiPolygon& polygons);
 
-
 double lengthM(std::span<const Point> line);
 
 /// Even-odd rule; on an edge either answer. Cost: one test of each edge.
