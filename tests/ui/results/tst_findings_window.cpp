@@ -1,5 +1,8 @@
 // Many findings of one kind in the window: a row with a count, gone through with keys and mouse.
 
+#include "planner/machine/machine_library.h"
+#include "planner/plan/method_registry.h"
+#include "planner/project/project_edits.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_test.h"
 
@@ -12,6 +15,8 @@ class TestFindingsWindow : public test::WindowTest {
 
 private slots:
     void oneKindIsGoneThrough();
+    void anAppliedChangeIsTold_data();
+    void anAppliedChangeIsTold();
 
 private:
     QString place(int finding) const {
@@ -72,6 +77,45 @@ void TestFindingsWindow::oneKindIsGoneThrough() {
     QTRY_COMPARE(place(1), QStringLiteral("1 of 6 of this kind"));
     key(Qt::Key_Left);
     QTRY_COMPARE(place(6), QStringLiteral("6 of 6 of this kind"));
+}
+
+void TestFindingsWindow::anAppliedChangeIsTold_data() {
+    QTest::addColumn<int>("theme");
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("light") << 1 << QSize{1440, 900};
+    QTest::newRow("dark") << 2 << QSize{1280, 720};
+}
+
+// One pass of headland leaves the cultivator no room to turn; the finding offers to undo it.
+void TestFindingsWindow::anAppliedChangeIsTold() {
+    QFETCH(int, theme);
+    QFETCH(QSize, size);
+    QObject* const colours = engine_->singletonInstance<QObject*>("Furrow.Controls", "Theme");
+    QVERIFY(colours != nullptr);
+    colours->setProperty("forced", theme);
+    const auto plain = qScopeGuard([colours] { colours->setProperty("forced", 0); });
+    window_->resize(size);
+    QTRY_COMPARE(window_->height(), size.height());
+    openSample("Home Field");
+    const Project& project = *session_->document()->project();
+    Settings settings = project.plan().settings;
+    settings.set(**findParameter("headland.passes"), 1.0).value();
+    session_->document()->change([] { return QString{}; },
+                                 withPlan(project, findMachine("cultivator").value(), settings));
+    QTRY_VERIFY_WITH_TIMEOUT(session_->findings()->blocking() > 0, kPatienceMs);
+    QTRY_VERIFY(item("finding.0.apply") != nullptr && item("finding.0.apply")->isVisible());
+    bringIntoView("finding.0.apply");
+    click("finding.0.apply");
+    QTRY_VERIFY_WITH_TIMEOUT(!session_->findings()->outcome().isEmpty(), kPatienceMs);
+    QCOMPARE(session_->findings()->blocking(), 0);
+    const QQuickItem* told = item("findings.outcome");
+    QVERIFY(told != nullptr && told->isVisible());
+    QVERIFY2(
+        told->property("text").toString().startsWith(QStringLiteral("Headland: Passes → auto. Before: ")),
+        qPrintable(told->property("text").toString()));
+    picture(QStringLiteral("findings_applied_%1").arg(QLatin1String{QTest::currentDataTag()}));
+    click("findings.outcome.close");
+    QTRY_VERIFY(!told->isVisible());
 }
 
 FURROW_TEST_WITH(TestFindingsWindow, QGuiApplication);
