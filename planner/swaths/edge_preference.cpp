@@ -26,7 +26,7 @@ constexpr double kSameDeg = 1e-6;
 // A smaller difference needs no note: it is less than two decimetres over a kilometre.
 constexpr double kUnseenDeg = 0.01;
 constexpr double kApartDeg = 1.0;
-// Seconds or metres. Estimated turns are no more exact.
+// Seconds or metres: nobody notices less on a field, and estimated turns are no more exact.
 constexpr double kWorthTelling = 5.0;
 constexpr std::size_t kMostCandidates = 4;
 
