@@ -45,6 +45,7 @@ void TestFindingsWindow::oneKindIsGoneThrough() {
     findings.push_back(finding(FindingKind::Gate, Severity::Note, "There is no gate."));
     const QGeoCoordinate first = camera()->center();
     std::vector<QGeoCoordinate> places;
+    places.reserve(findings.size());
     for (std::size_t i = 0; i < findings.size(); ++i) {
         places.emplace_back(first.latitude() + 1e-4 * static_cast<double>(i), first.longitude());
     }
