@@ -15,15 +15,16 @@ constexpr double kLeastS = 1.0;
 constexpr double kLeastM = 1.0;
 constexpr double kLeastM2 = 1.0;
 
-/// "+4 min"; empty for a change that is none.
+/// "+4 min", which no line break divides; empty for a change that is none.
 template <class Quantity, class Text>
 QString signedText(Quantity before, Quantity now, double least, const Text& text) {
     const double difference = now.si() - before.si();
     if (std::abs(difference) < least) {
         return {};
     }
-    return (difference > 0.0 ? QStringLiteral("+") : QStringLiteral("\u2212")) +
-           text(Quantity::fromSi(std::abs(difference)));
+    QString changed = (difference > 0.0 ? QStringLiteral("+") : QStringLiteral("\u2212")) +
+                      text(Quantity::fromSi(std::abs(difference)));
+    return changed.replace(QLatin1Char{' '}, QChar::Nbsp);
 }
 
 }  // namespace
