@@ -43,7 +43,12 @@ void MapCamera::setViewport(QSizeF viewport) {
     }
     viewport_ = viewport;
     emit viewportChanged();
-    set(center_, zoom_);
+    if (const auto shown = fitted_) {
+        const QMarginsF& margins = shown->margins;
+        fit(shown->area, margins.left(), margins.top(), margins.right(), margins.bottom(), false);
+    } else {
+        set(center_, zoom_);
+    }
     emit changed();
 }
 
@@ -70,11 +75,13 @@ WorldPoint MapCamera::toWorld(QPointF pixel) const {
 }
 
 void MapCamera::panBy(double dx, double dy) {
+    fitted_.reset();
     animation_.stop();
     set({center_.x - dx / scale(), center_.y - dy / scale()}, zoom_);
 }
 
 void MapCamera::zoomAt(QPointF pixel, double levels, bool animated) {
+    fitted_.reset();
     const bool running = animation_.state() == QAbstractAnimation::Running && anchored_;
     const double target = std::clamp((running ? toZoom_ : zoom_) + levels, leastZoom(), kMaxZoom);
     if (!running || anchorPixel_ != pixel) {
@@ -148,9 +155,11 @@ void MapCamera::fit(const QGeoRectangle& area, double left, double top, double r
     moveTo({(corner.x + opposite.x) / 2.0 - (left - right) / 2.0 / pixels,
             (corner.y + opposite.y) / 2.0 - (top - bottom) / 2.0 / pixels},
            zoom, animated);
+    fitted_ = {.area = area, .margins = {left, top, right, bottom}};
 }
 
 void MapCamera::moveTo(WorldPoint center, double zoom, bool animated) {
+    fitted_.reset();
     animation_.stop();
     // A movement over many screens would only be a blur.
     const double way = std::hypot(center.x - center_.x, center.y - center_.y) * scale();

@@ -10,6 +10,8 @@
 #include <QSizeF>
 #include <QVariantAnimation>
 
+#include <optional>
+
 namespace furrow {
 
 /// What part of the world the map shows. North is up.
@@ -58,7 +60,8 @@ public:
     /// Exactly this place and zoom, at once.
     Q_INVOKABLE void goTo(const QGeoCoordinate& place, double zoom);
     Q_INVOKABLE void centreOn(const QGeoCoordinate& place, double leastZoom, bool animated);
-    /// Shows all of `area` inside the item less these margins.
+    /// Shows all of `area` inside the item less these margins; in an item of another size, too, until the map
+    /// is moved.
     Q_INVOKABLE void fit(const QGeoRectangle& area, double left, double top, double right, double bottom,
                          bool animated);
 
@@ -68,6 +71,11 @@ signals:
     void motionChanged();
 
 private:
+    struct Fitted {
+        QGeoRectangle area;
+        QMarginsF margins;
+    };
+
     void set(WorldPoint center, double zoom);
     /// Of the way of the running movement.
     void show(double share);
@@ -87,6 +95,7 @@ private:
     bool anchored_ = false;
     QPointF anchorPixel_;
     WorldPoint anchorPlace_;
+    std::optional<Fitted> fitted_;
 };
 
 }  // namespace furrow

@@ -67,6 +67,33 @@ private slots:
         QVERIFY(std::abs(opposite.x() - corner.x() - 860.0) < 0.5 ||
                 std::abs(opposite.y() - corner.y() - 620.0) < 0.5);
     }
+    void whatIsFittedStaysWholeInASmallerItem_data() {
+        QTest::addColumn<bool>("isMoved");
+        QTest::newRow("untouched") << false;
+        QTest::newRow("moved meanwhile") << true;
+    }
+    void whatIsFittedStaysWholeInASmallerItem() {
+        QFETCH(const bool, isMoved);
+        MapCamera camera;
+        camera.setViewport({1000.0, 700.0});
+        const QGeoRectangle area{QGeoCoordinate{58.26, 22.49}, QGeoCoordinate{58.25, 22.51}};
+        camera.fit(area, 100.0, 60.0, 40.0, 20.0, false);
+        if (isMoved) {
+            camera.panBy(-5.0, 0.0);
+        }
+        const double before = camera.zoomLevel();
+        camera.setViewport({500.0, 350.0});
+        if (isMoved) {
+            QCOMPARE(camera.zoomLevel(), before);
+            return;
+        }
+        const QPointF corner = camera.position(area.topLeft());
+        const QPointF opposite = camera.position(area.bottomRight());
+        QVERIFY(corner.x() >= 99.9 && corner.y() >= 59.9);
+        QVERIFY(opposite.x() <= 460.1 && opposite.y() <= 330.1);
+        camera.setViewport({1000.0, 700.0});
+        QCOMPARE(camera.zoomLevel(), before);
+    }
     void fitsAcrossTheAntimeridian() {
         MapCamera camera;
         camera.setViewport({1000.0, 700.0});
