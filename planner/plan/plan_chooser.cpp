@@ -101,6 +101,12 @@ const Near& nearOf(const PlannedStages& plan) {
     return plan.ordered->route.steps.size() <= kMostlyHeadland ? kNearWithHeadland : kNearUsually;
 }
 
+/// Whether kinds of corner are left to the planner.
+bool comparesCorners(const BestSoFar& best) {
+    return best.asked.settings.choice(kHeadlandCorner) == kQuickestCorner &&
+           !best.plan.laidOut.headland->drivenPasses.empty();
+}
+
 /// Without a reverse gear the third kind is the second one.
 std::vector<std::string_view> cornerKinds(const Machine& machine) {
     std::vector<std::string_view> kinds{kRoundedCorner, kLoopCorner};
@@ -163,13 +169,15 @@ void PlanChooser::tellCompared() {
 
 /// The plan with other settings if it is better as driven, or takes less than `near` times as long.
 /// Cancelled.
-/// @param meanwhile  of plans that are made at once, where only the best is wanted
-Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const BestSoFar& best, const PlanRequest& other,
-                                                           double near, QuickestMeanwhile* meanwhile,
+/// @param meanwhile  of plans that are made at once, where only those near the best of them are wanted, too
+Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const PlannedStages& best,
+                                                           const PlanRequest& other, double near,
+                                                           QuickestMeanwhile* meanwhile,
                                                            const JobContext& job) {
-    PlanToBeat toBeat = planToBeat(other.machine, *best.plan.driven);
+    PlanToBeat toBeat = planToBeat(other.machine, *best.driven);
     toBeat.time = near * toBeat.time;
     toBeat.meanwhile = meanwhile;
+    toBeat.near = near;
     auto plan = runner_.run(other, toBeat, job);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
@@ -179,9 +187,8 @@ Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const BestSoFar& best
         meanwhile->lower(timeOf(*plan));
     }
     const bool isNear =
-        plan &&
-        (plan->blockingCount() < best.plan.blockingCount() ||
-         (plan->blockingCount() == best.plan.blockingCount() && timeOf(*plan) <= near * timeOf(best.plan)));
+        plan && (plan->blockingCount() < best.blockingCount() ||
+                 (plan->blockingCount() == best.blockingCount() && timeOf(*plan) <= near * timeOf(best)));
     return isNear ? std::optional{*std::move(plan)} : std::nullopt;
 }
 
@@ -217,8 +224,7 @@ Result<void> PlanChooser::takeBest(BestSoFar& best, std::size_t count, const Mak
 /// The kinds that the plan does not have. Those that reach into corners are worth it where the plan can be
 /// driven.
 Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
-    if (best.asked.settings.choice(kHeadlandCorner) != kQuickestCorner ||
-        best.plan.laidOut.headland->drivenPasses.empty()) {
+    if (!comparesCorners(best)) {
         return {};
     }
     const std::string taken = plannedCorner(best.plan.request.settings);
@@ -228,18 +234,19 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
         return {};
     }
     const bool isFirst = !best.nearCorners;
+    const double near = isFirst ? nearOf(best.plan).inOrder : 1.0;
     const std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
     std::vector<std::string_view> others = kinds;
     std::erase(others, taken);
-    std::vector<char> isNear(others.size(), 1);
+    const Duration before = timeOf(best.plan);
+    std::vector<std::optional<Duration>> times(others.size());
     QuickestMeanwhile meanwhile;
     const auto withCorner = [&](std::size_t i, const JobContext& piece) -> Result<std::optional<BestSoFar>> {
         PlanRequest request = best.plan.request;
         request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
-        auto plan = isFirst ? nearPlan(best, request, nearOf(best.plan).inOrder, nullptr, piece)
-                            : nearPlan(best, request, 1.0, &meanwhile, piece);
+        auto plan = nearPlan(best.plan, request, near, &meanwhile, piece);
         return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
-            isNear[i] = made ? 1 : 0;
+            times[i] = made.transform(timeOf);
             return with(best, std::move(made)).transform([&](BestSoFar&& other) {
                 note(other.instead, kHeadlandCorner, others[i]);
                 return std::move(other);
@@ -248,12 +255,15 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     };
     auto tried = takeBest(best, others.size(), withCorner, job);
     if (isFirst) {
-        std::vector<std::string_view> near;
-        std::ranges::copy_if(kinds, std::back_inserter(near), [&](std::string_view kind) {
+        // What blocks here, and is quicker, may be drivable along another heading.
+        const Duration most = near * timeOf(best.plan);
+        best.nearCorners.emplace();
+        std::ranges::copy_if(kinds, std::back_inserter(*best.nearCorners), [&](std::string_view kind) {
             const auto other = std::ranges::find(others, kind);
-            return other == others.end() || isNear[static_cast<std::size_t>(other - others.begin())] != 0;
+            const auto time =
+                other == others.end() ? before : times[static_cast<std::size_t>(other - others.begin())];
+            return time && *time <= most;
         });
-        best.nearCorners = std::move(near);
     }
     return tried;
 }
@@ -288,7 +298,9 @@ Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, c
 }
 
 /// Order and corners for the swaths of this plan. An order of one's own stays. Cancelled.
-Result<void> PlanChooser::decideOrderAndCorners(BestSoFar& best, const JobContext& job) {
+/// @param rival  the best plan along other headings: what is no better is not wanted
+Result<void> PlanChooser::decideOrderAndCorners(BestSoFar& best, const PlannedStages* rival,
+                                                const JobContext& job) {
     const auto patterns = patternsToTry(best.plan, job.withoutProgress());
     if (!patterns) {
         return std::unexpected(patterns.error());
@@ -296,20 +308,30 @@ Result<void> PlanChooser::decideOrderAndCorners(BestSoFar& best, const JobContex
     const auto corners = static_cast<double>(cornerKinds(best.asked.machine).size() - 1);
     const double share = corners / (corners + kOrderInCorners * static_cast<double>(patterns->size()));
     return tryCorners(best, job.part(0.0, share)).and_then([&] {
+        QuickestMeanwhile meanwhile;
         return takeBest(
             best, patterns->size(),
-            [&](std::size_t i, const JobContext& piece) { return inOrder(best, (*patterns)[i], piece); },
+            [&](std::size_t i, const JobContext& piece) {
+                return inOrder(best, rival, (*patterns)[i], meanwhile, piece);
+            },
             job.part(share, 1.0));
     });
 }
 
 /// The plan in another order with its own best corners, if it is near. Cancelled.
-Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, std::string_view pattern,
+/// @param meanwhile  of orders that are made at once
+Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, const PlannedStages* rival,
+                                                      std::string_view pattern, QuickestMeanwhile& meanwhile,
                                                       const JobContext& job) {
     const Parameter& route = *stageMethod("route");
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
-    auto plan = nearPlan(best, request, nearOf(best.plan).inOrder, nullptr, job.part(0.0, kItself));
+    // An order that gets other corners may be slower before.
+    const bool hasItsCorners = !comparesCorners(best) || (best.nearCorners && best.nearCorners->size() <= 1);
+    const bool isBehind = rival != nullptr && isBetter(*rival, best.plan);
+    auto plan =
+        nearPlan(isBehind ? *rival : best.plan, request, hasItsCorners ? 1.0 : nearOf(best.plan).inOrder,
+                 hasItsCorners ? &meanwhile : nullptr, job.part(0.0, kItself));
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
     }
@@ -328,12 +350,12 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     if (isByTime) {
         request.settings.set(kHeadlandCorner, corner).value();
     }
-    auto plan = nearPlan(best, request, nearOf(best.plan).inHeading, nullptr, job.part(0.0, kItself));
+    auto plan = nearPlan(best.plan, request, nearOf(best.plan).inHeading, nullptr, job.part(0.0, kItself));
     if (plan && !*plan && isByTime && plannedCorner(best.plan.request.settings) != kRoundedCorner) {
         // Corners that are driven into may block with this change.
         request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
         expect(1);
-        plan = nearPlan(best, request, nearOf(best.plan).inHeading, nullptr, job.withoutProgress());
+        plan = nearPlan(best.plan, request, nearOf(best.plan).inHeading, nullptr, job.withoutProgress());
     }
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
@@ -344,7 +366,7 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     if (other.plan.laidOut.headland->mainland != best.plan.laidOut.headland->mainland) {
         other.nearCorners.reset();
     }
-    return decideOrderAndCorners(other, job.part(kItself, 1.0)).transform([&] {
+    return decideOrderAndCorners(other, &best.plan, job.part(kItself, 1.0)).transform([&] {
         return std::optional{std::move(other)};
     });
 }
@@ -390,7 +412,7 @@ Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobCon
     const std::vector<HeadingCandidate> headings =
         triesHeadings ? headingsToTry(*asked) : std::vector<HeadingCandidate>{};
     const double decided = kAskedShare + (1.0 - kAskedShare) / (1.0 + static_cast<double>(headings.size()));
-    return decideOrderAndCorners(best, job.part(kAskedShare, decided))
+    return decideOrderAndCorners(best, nullptr, job.part(kAskedShare, decided))
         .and_then([&] {
             return takeBest(
                 best, headings.size(),

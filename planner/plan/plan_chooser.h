@@ -77,12 +77,13 @@ public:
 private:
     template <class Make>
     Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make, const JobContext& job);
-    Result<std::optional<PlannedStages>> nearPlan(const BestSoFar& best, const PlanRequest& other,
+    Result<std::optional<PlannedStages>> nearPlan(const PlannedStages& best, const PlanRequest& other,
                                                   double near, QuickestMeanwhile* meanwhile,
                                                   const JobContext& job);
     Result<void> tryCorners(BestSoFar& best, const JobContext& job);
-    Result<void> decideOrderAndCorners(BestSoFar& best, const JobContext& job);
-    Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, std::string_view pattern,
+    Result<void> decideOrderAndCorners(BestSoFar& best, const PlannedStages* rival, const JobContext& job);
+    Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, const PlannedStages* rival,
+                                             std::string_view pattern, QuickestMeanwhile& meanwhile,
                                              const JobContext& job);
     Result<std::optional<BestSoFar>> alongHeading(const BestSoFar& best, const HeadingCandidate& candidate,
                                                   const JobContext& job);

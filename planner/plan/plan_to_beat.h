@@ -36,10 +36,12 @@ struct PlanToBeat {
     Duration finishing;           ///< added by finishing passes, less the time for the land that they work
     Area left;                    ///< land within reach that was left before the finishing passes
     const QuickestMeanwhile* meanwhile = nullptr;  ///< of plans that are made at the same time
+    double near = 1.0;  ///< a plan that takes so many times as long as the quickest meanwhile is wanted, too
 
     /// Whether a plan with a path of this duration surely is no better.
     bool isLostAfter(Duration duration) const {
-        return (blocking == 0 && duration > time) || (meanwhile != nullptr && duration > meanwhile->time());
+        return (blocking == 0 && duration > time) ||
+               (meanwhile != nullptr && duration > near * meanwhile->time());
     }
 };
 

@@ -51,6 +51,38 @@ private slots:
         QCOMPARE(all.si(), 1000.0 + workingTime(kPatch).si());
     }
 
+    void whatTakesLongerIsLost_data() {
+        QTest::addColumn<int>("blocking");
+        QTest::addColumn<double>("meanwhileS");
+        QTest::addColumn<double>("near");
+        QTest::addColumn<double>("durationS");
+        QTest::addColumn<bool>("isLost");
+        // The plan to beat takes 1,000 s; 0 s stands for no other plan made at the same time.
+        QTest::newRow("quicker") << 0 << 0.0 << 1.0 << 999.0 << false;
+        QTest::newRow("slower") << 0 << 0.0 << 1.0 << 1001.0 << true;
+        QTest::newRow("slower than a blocked plan") << 1 << 0.0 << 1.0 << 1001.0 << false;
+        QTest::newRow("slower than another one meanwhile") << 0 << 900.0 << 1.0 << 910.0 << true;
+        QTest::newRow("near another one meanwhile") << 0 << 900.0 << 1.02 << 910.0 << false;
+        QTest::newRow("not near another one meanwhile") << 0 << 900.0 << 1.02 << 919.0 << true;
+        QTest::newRow("not near a drivable one, the best blocks") << 1 << 900.0 << 1.02 << 919.0 << true;
+    }
+    void whatTakesLongerIsLost() {
+        QFETCH(const int, blocking);
+        QFETCH(const double, meanwhileS);
+        QFETCH(const double, near);
+        QFETCH(const double, durationS);
+        QuickestMeanwhile meanwhile;
+        meanwhile.lower(seconds(950.0));
+        meanwhile.lower(seconds(meanwhileS));
+        const PlanToBeat toBeat{.blocking = blocking,
+                                .time = seconds(1000.0),
+                                .finishing = {},
+                                .left = {},
+                                .meanwhile = meanwhileS > 0.0 ? &meanwhile : nullptr,
+                                .near = near};
+        QTEST(toBeat.isLostAfter(seconds(durationS)), "isLost");
+    }
+
     void missedLandMayBeFinished() {
         const std::vector<Finding> findings{blocking(FindingKind::Missed), blocking(FindingKind::Outside),
                                             Finding{.severity = Severity::Note,
