@@ -344,6 +344,11 @@ Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, con
 
 Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked,
                                                       const JobContext& job) {
+    return changed(best, asked, nullptr, job);
+}
+
+Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked,
+                                                      const PlannedStages* rival, const JobContext& job) {
     PlanRequest request = asked;
     const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
     const bool isByTime = asked.settings.choice(kHeadlandCorner) == kQuickestCorner;
@@ -366,7 +371,7 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     if (other.plan.laidOut.headland->mainland != best.plan.laidOut.headland->mainland) {
         other.nearCorners.reset();
     }
-    return decideOrderAndCorners(other, &best.plan, job.part(kItself, 1.0)).transform([&] {
+    return decideOrderAndCorners(other, rival, job.part(kItself, 1.0)).transform([&] {
         return std::optional{std::move(other)};
     });
 }
@@ -375,7 +380,8 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
 Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best,
                                                            const HeadingCandidate& candidate,
                                                            const JobContext& job) {
-    auto other = changed(best, along(best.asked, candidate.heading), job);
+    // Along this heading nothing is wanted that is no better.
+    auto other = changed(best, along(best.asked, candidate.heading), &best.plan, job);
     if (other && *other) {
         (*other)->asked = best.asked;
         if (isBetter((*other)->plan, best.plan)) {

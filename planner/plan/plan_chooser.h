@@ -75,6 +75,8 @@ public:
                                              const JobContext& job);
 
 private:
+    Result<std::optional<BestSoFar>> changed(const BestSoFar& best, const PlanRequest& asked,
+                                             const PlannedStages* rival, const JobContext& job);
     template <class Make>
     Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make, const JobContext& job);
     Result<std::optional<PlannedStages>> nearPlan(const PlannedStages& best, const PlanRequest& other,
