@@ -101,18 +101,28 @@ const Near& nearOf(const PlannedStages& plan) {
     return plan.ordered->route.steps.size() <= kMostlyHeadland ? kNearWithHeadland : kNearUsually;
 }
 
-/// Whether kinds of corner are left to the planner.
-bool comparesCorners(const BestSoFar& best) {
-    return best.asked.settings.choice(kHeadlandCorner) == kQuickestCorner &&
-           !best.plan.laidOut.headland->drivenPasses.empty();
-}
-
 /// Without a reverse gear the third kind is the second one.
 std::vector<std::string_view> cornerKinds(const Machine& machine) {
     std::vector<std::string_view> kinds{kRoundedCorner, kLoopCorner};
     if (canReverse(machine)) {
         kinds.push_back(kReverseCorner);
     }
+    return kinds;
+}
+
+/// Whether kinds of corner are left to the planner.
+bool comparesCorners(const BestSoFar& best) {
+    return best.asked.settings.choice(kHeadlandCorner) == kQuickestCorner &&
+           !best.plan.laidOut.headland->drivenPasses.empty();
+}
+
+/// Kinds of corner that the plan does not have, and that may be the quickest.
+std::vector<std::string_view> otherCorners(const BestSoFar& best) {
+    if (!comparesCorners(best)) {
+        return {};
+    }
+    std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
+    std::erase(kinds, plannedCorner(best.plan.request.settings));
     return kinds;
 }
 
@@ -235,9 +245,7 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     }
     const bool isFirst = !best.nearCorners;
     const double near = isFirst ? nearOf(best.plan).inOrder : 1.0;
-    const std::vector<std::string_view> kinds = best.nearCorners.value_or(cornerKinds(best.asked.machine));
-    std::vector<std::string_view> others = kinds;
-    std::erase(others, taken);
+    const std::vector<std::string_view> others = otherCorners(best);
     const Duration before = timeOf(best.plan);
     std::vector<std::optional<Duration>> times(others.size());
     QuickestMeanwhile meanwhile;
@@ -258,12 +266,14 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
         // What blocks here, and is quicker, may be drivable along another heading.
         const Duration most = near * timeOf(best.plan);
         best.nearCorners.emplace();
-        std::ranges::copy_if(kinds, std::back_inserter(*best.nearCorners), [&](std::string_view kind) {
+        for (const std::string_view kind : cornerKinds(best.asked.machine)) {
             const auto other = std::ranges::find(others, kind);
             const auto time =
                 other == others.end() ? before : times[static_cast<std::size_t>(other - others.begin())];
-            return time && *time <= most;
-        });
+            if (time && *time <= most) {
+                best.nearCorners->push_back(kind);
+            }
+        }
     }
     return tried;
 }
@@ -327,7 +337,7 @@ Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, con
     PlanRequest request = best.plan.request;
     request.settings.set(route, std::string{pattern}).value();
     // An order that gets other corners may be slower before.
-    const bool hasItsCorners = !comparesCorners(best) || (best.nearCorners && best.nearCorners->size() <= 1);
+    const bool hasItsCorners = otherCorners(best).empty();
     const bool isBehind = rival != nullptr && isBetter(*rival, best.plan);
     auto plan =
         nearPlan(isBehind ? *rival : best.plan, request, hasItsCorners ? 1.0 : nearOf(best.plan).inOrder,
