@@ -32,21 +32,20 @@ struct HeapOrder {
 
 class BranchAndBound {
 public:
-    BranchAndBound(const LinkCosts& costs, const FoundOrder& known)
-        : costs_{costs}, best_{known}, begin_(costs.endCount()), finish_(costs.endCount()) {
-        const auto ends = static_cast<SwathEnd>(costs.endCount());
-        for (SwathEnd a = 0; a < ends; ++a) {
-            begin_[a] = costs.begin(a);
-            finish_[a] = costs.finish(a);
-            for (SwathEnd b = a + 1; b < ends; ++b) {
-                if (a / 2 != b / 2) {
-                    links_.push_back({a, b, costs.eitherWay(a, b)});
-                }
-            }
+    BranchAndBound(const LinkCosts& costs, const FoundOrder& known, const OrderBound& bound)
+        : costs_{costs},
+          best_{known},
+          bound_{bound},
+          links_{linksOfCheaperOrders(costs, bound, known.cost)},
+          begin_(costs.endCount()),
+          finish_(costs.endCount()) {
+        for (SwathEnd end = 0; end < costs.endCount(); ++end) {
+            begin_[end] = costs.begin(end);
+            finish_[end] = costs.finish(end);
         }
     }
 
-    ProvedOrder run(const OrderBound& bound, std::size_t mostNodes, const JobContext& job);
+    ProvedOrder run(std::size_t mostNodes, const JobContext& job);
 
 private:
     double closedAt() const { return best_.cost - kBoundRounding * std::abs(best_.cost); }
@@ -57,6 +56,7 @@ private:
 
     const LinkCosts& costs_;
     FoundOrder best_;
+    const OrderBound& bound_;
     std::vector<UndirectedLink> links_;
     std::vector<double> begin_;
     std::vector<double> finish_;
@@ -141,8 +141,8 @@ std::optional<std::size_t> BranchAndBound::opened(Node& node, const JobContext& 
     return branchLink(node, ascent.tree);
 }
 
-ProvedOrder BranchAndBound::run(const OrderBound& bound, std::size_t mostNodes, const JobContext& job) {
-    std::vector<Node> open{{bound.cost, bound.multipliers, {}, {}}};
+ProvedOrder BranchAndBound::run(std::size_t mostNodes, const JobContext& job) {
+    std::vector<Node> open{{bound_.cost, bound_.multipliers, {}, {}}};
     ProvedOrder result;
     std::size_t nodes = 0;
     while (!open.empty() && open.front().bound < closedAt() && nodes < mostNodes && !job.stopRequested()) {
@@ -223,7 +223,7 @@ ProvedOrder branchAndBound(const LinkCosts& costs, const FoundOrder& known, cons
     if (costs.swathCount() < 2) {
         return {.found = known, .bound = known.cost};
     }
-    return BranchAndBound{costs, known}.run(bound, mostNodes, job);
+    return BranchAndBound{costs, known, bound}.run(mostNodes, job);
 }
 
 }  // namespace furrow

@@ -16,7 +16,6 @@ constexpr double kLeastStep = 1e-4;
 // Rounds without a better bound before the step is halved.
 constexpr std::size_t kPatience = 20;
 constexpr double kReached = 1e-9;
-constexpr std::size_t kNoLink = std::numeric_limits<std::size_t>::max();
 
 /// The cheapest end and the cheapest one other than it.
 struct TwoCheapest {
@@ -39,20 +38,24 @@ struct TwoCheapest {
 }  // namespace
 
 OneTreeFinder::OneTreeFinder(const OneTreeTask& task)
-    : task_{task}, weights_(task.links.size()), roots_(task.swathCount) {
-    for (std::size_t i = 0; i < task.links.size(); ++i) {
-        if (task.links[i].cost < kInfinite) {
-            order_.push_back(i);
+    : task_{task}, weights_(task.links.size()), firstBeside_(task.swathCount + 1, 0) {
+    const auto isUsed = [](const UndirectedLink& link) { return link.cost < kInfinite; };
+    for (const UndirectedLink& link : task.links) {
+        if (isUsed(link)) {
+            ++firstBeside_[link.a / 2 + 1];
+            ++firstBeside_[link.b / 2 + 1];
         }
     }
-}
-
-std::size_t OneTreeFinder::rootOf(std::size_t swath) {
-    while (roots_[swath] != swath) {
-        roots_[swath] = roots_[roots_[swath]];
-        swath = roots_[swath];
+    std::partial_sum(firstBeside_.begin(), firstBeside_.end(), firstBeside_.begin());
+    beside_.resize(firstBeside_.back());
+    std::vector<std::size_t> next = firstBeside_;
+    for (std::size_t i = 0; i < task.links.size(); ++i) {
+        const UndirectedLink& link = task.links[i];
+        if (isUsed(link)) {
+            beside_[next[link.a / 2]++] = {.swath = link.b / 2, .link = i};
+            beside_[next[link.b / 2]++] = {.swath = link.a / 2, .link = i};
+        }
     }
-    return swath;
 }
 
 void OneTreeFinder::addDepot(std::span<const double> multipliers) {
@@ -75,53 +78,42 @@ void OneTreeFinder::addDepot(std::span<const double> multipliers) {
     ++tree_.degrees[tree_.last];
 }
 
-/// Of every tree that is left, the least link to another one belongs to the least tree (Boruvka 1926). Equal
-/// weights go by index, so there is one least tree, and every way to find it gives the same.
+/// The tree grows by the least link to a swath that it lacks (Prim 1957). Equal weights go by index, so there
+/// is one least tree, and every way to find it gives the same.
 void OneTreeFinder::pickLinks() {
-    std::iota(roots_.begin(), roots_.end(), std::size_t{0});
-    between_ = order_;
     tree_.links.clear();
-    while (tree_.links.size() + 1 < task_.swathCount) {
-        least_.assign(task_.swathCount, kNoLink);
-        const auto offer = [this](std::size_t root, std::size_t link) {
-            if (least_[root] == kNoLink || weights_[link] < weights_[least_[root]]) {
-                least_[root] = link;
-            }
-        };
-        // Links stay in the order of their indices.
-        std::size_t kept = 0;
-        for (const std::size_t i : between_) {
-            const std::size_t a = roots_[task_.links[i].a / 2];
-            const std::size_t b = roots_[task_.links[i].b / 2];
-            if (a != b) {
-                between_[kept++] = i;
-                offer(a, i);
-                offer(b, i);
+    lacked_.resize(task_.swathCount);
+    std::iota(lacked_.begin(), lacked_.end(), std::size_t{0});
+    nearest_.assign(task_.swathCount, {});
+    std::size_t added = lacked_.back();
+    lacked_.pop_back();
+    while (!lacked_.empty()) {
+        nearest_[added].isIn = true;
+        for (std::size_t i = firstBeside_[added]; i < firstBeside_[added + 1]; ++i) {
+            Nearest& other = nearest_[beside_[i].swath];
+            const double weight = weights_[beside_[i].link];
+            if (!other.isIn && other.isAfter(weight, beside_[i].link)) {
+                other.weight = weight;
+                other.link = beside_[i].link;
             }
         }
-        between_.resize(kept);
-        if (kept == 0) {
-            return;
-        }
-        for (const std::size_t i : least_) {
-            if (i == kNoLink) {
-                continue;
-            }
-            const std::size_t a = rootOf(task_.links[i].a / 2);
-            const std::size_t b = rootOf(task_.links[i].b / 2);
-            if (a != b) {
-                roots_[a] = b;
-                tree_.links.push_back(i);
+        std::size_t least = 0;
+        for (std::size_t i = 1; i < lacked_.size(); ++i) {
+            const Nearest& other = nearest_[lacked_[i]];
+            if (nearest_[lacked_[least]].isAfter(other.weight, other.link)) {
+                least = i;
             }
         }
-        for (std::size_t swath = 0; swath < task_.swathCount; ++swath) {
-            roots_[swath] = rootOf(swath);
+        added = std::exchange(lacked_[least], lacked_.back());
+        lacked_.pop_back();
+        if (nearest_[added].link != kNoLink) {
+            tree_.links.push_back(nearest_[added].link);
         }
     }
 }
 
 const OneTree& OneTreeFinder::find(std::span<const double> multipliers) {
-    for (const std::size_t i : order_) {
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
         const UndirectedLink& link = task_.links[i];
         weights_[i] = link.cost + multipliers[link.a] + multipliers[link.b];
     }

@@ -45,21 +45,38 @@ class OneTreeFinder {
 public:
     explicit OneTreeFinder(const OneTreeTask& task);
 
-    /// Of infinite cost if the links do not join all swaths. Cost: O(links log swaths).
+    /// Of infinite cost if the links do not join all swaths. Cost: O(links + swaths²).
     const OneTree& find(std::span<const double> multipliers);
 
 private:
-    std::size_t rootOf(std::size_t swath);
+    static constexpr std::size_t kNoLink = std::numeric_limits<std::size_t>::max();
+
+    /// A link beside a swath, and the swath that it leads to.
+    struct Beside {
+        std::size_t swath = 0;
+        std::size_t link = 0;
+    };
+    /// The least link from the tree to a swath.
+    struct Nearest {
+        double weight = kInfinite;
+        std::size_t link = kNoLink;
+        bool isIn = false;
+
+        bool isAfter(double otherWeight, std::size_t otherLink) const {
+            return otherWeight < weight || (otherWeight == weight && otherLink < link);
+        }
+    };
+
     void pickLinks();
     void addDepot(std::span<const double> multipliers);
 
     OneTreeTask task_;
     OneTree tree_;
-    std::vector<std::size_t> order_;    ///< of the links that join anything: by index
-    std::vector<std::size_t> between_;  ///< those that still join two trees
-    std::vector<std::size_t> least_;    ///< from each tree, by its root, to another one
     std::vector<double> weights_;
-    std::vector<std::size_t> roots_;
+    std::vector<std::size_t> firstBeside_;  ///< of each swath, in `beside_`; one more for the end
+    std::vector<Beside> beside_;
+    std::vector<Nearest> nearest_;
+    std::vector<std::size_t> lacked_;  ///< swaths outside the tree, in no order
 };
 
 /// Multipliers and the bound that they prove.

@@ -84,6 +84,26 @@ FullTree fullTree(const LinkCosts& costs, const std::vector<double>& multipliers
     return tree;
 }
 
+/// The weight of the dearest link of a tree between any two swaths, row by row.
+std::vector<double> dearestBetween(const FullTree& tree, const LinkCosts& costs,
+                                   const std::vector<double>& multipliers) {
+    const std::size_t swaths = costs.swathCount();
+    std::vector<double> dearest(swaths * swaths, 0.0);
+    // A link leads from the swaths that are joined already to one that is not.
+    std::vector<std::size_t> joined{tree.links.empty() ? 0 : tree.links.front().first / 2};
+    for (const auto& [from, to] : tree.links) {
+        const double weight = costs.atLeast(from, to) + multipliers[from] + multipliers[to];
+        for (const std::size_t other : joined) {
+            const double between =
+                other == from / 2 ? weight : std::max(weight, dearest[other * swaths + from / 2]);
+            dearest[other * swaths + to / 2] = between;
+            dearest[to / 2 * swaths + other] = between;
+        }
+        joined.push_back(to / 2);
+    }
+    return dearest;
+}
+
 /// The cost of the depot's two links in a tree, with the multipliers of all ends taken off.
 double depotCost(const OneTree& tree, const std::vector<UndirectedLink>& links,
                  const std::vector<double>& multipliers) {
@@ -155,6 +175,31 @@ OrderBound heldKarpBound(LinkCosts& costs, const NearEnds& near, double known, s
     }
     bound.cost = std::min(bound.cost, known);
     return bound;
+}
+
+std::vector<UndirectedLink> linksOfCheaperOrders(const LinkCosts& costs, const OrderBound& bound,
+                                                 double known) {
+    const std::vector<double> dearest =
+        dearestBetween(fullTree(costs, bound.multipliers), costs, bound.multipliers);
+    const double most = known + kEqual * std::abs(known) - bound.cost;
+    std::vector<UndirectedLink> links;
+    const auto ends = static_cast<SwathEnd>(costs.endCount());
+    for (SwathEnd a = 0; a < ends; ++a) {
+        for (SwathEnd b = a + 1; b < ends; ++b) {
+            if (a / 2 == b / 2) {
+                continue;
+            }
+            const double saved =
+                dearest[a / 2 * costs.swathCount() + b / 2] - bound.multipliers[a] - bound.multipliers[b];
+            if (costs.atLeast(a, b) - saved > most) {
+                continue;
+            }
+            if (const double cost = costs.eitherWay(a, b); cost - saved <= most) {
+                links.push_back({a, b, cost});
+            }
+        }
+    }
+    return links;
 }
 
 double assignmentBound(const LinkCosts& costs) {

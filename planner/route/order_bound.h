@@ -2,6 +2,7 @@
 
 #include "planner/jobs/job.h"
 #include "planner/route/link_costs.h"
+#include "planner/route/one_tree.h"
 
 #include <cstddef>
 #include <optional>
@@ -25,9 +26,15 @@ struct OrderBound {
 /// @param near     links to begin with; others join them where the tree wants them
 /// @param known    the cost of some order: it sets the step, and the bound never exceeds it
 /// @param rounds   trees at most
-/// Cost: O(links log links) each round, and O(ends²) lower bounds some times.
+/// Cost: O(links + swaths²) each round, and O(ends²) lower bounds some times.
 OrderBound heldKarpBound(LinkCosts& costs, const NearEnds& near, double known, std::size_t rounds,
                          const JobContext& job);
+
+/// The links that an order cheaper than `known` may have: a link that joins the least tree in place of the
+/// dearest one between its swaths raises the bound by the difference (Jonker & Volgenant 1984, doi
+/// 10.1287/opre.32.4.837). Cost: O(ends²) lower bounds, and what the links that stay cost.
+std::vector<UndirectedLink> linksOfCheaperOrders(const LinkCosts& costs, const OrderBound& bound,
+                                                 double known);
 
 /// The bound of an assignment: every swath is left once for another one. It knows both directions of a link,
 /// but not that the order must hang together. Cost: O(ends³). Burkard, Dell'Amico, Martello 2012, ch. 4

@@ -53,6 +53,7 @@ inline LinkCosts trackCosts(const std::vector<Track>& tracks, double radius, Tur
 /// 10 equal tracks 4.5 m apart.
 inline std::vector<Track> fieldA() {
     std::vector<Track> tracks;
+    tracks.reserve(10);
     for (int i = 0; i < 10; ++i) {
         tracks.push_back({4.5 * i, 0.0, 100.0});
     }

@@ -113,6 +113,9 @@ private slots:
         int found = 0;
         double worstGap = 0.0;
         double sumOfGaps = 0.0;
+        std::size_t kept = 0;
+        std::size_t all = 0;
+        int dearer = 0;
         constexpr int kInstances = 500;
         for (int i = 0; i < kInstances; ++i) {
             const auto count = static_cast<std::size_t>(2 + i % 9);
@@ -134,15 +137,36 @@ private slots:
             const double gap = best.cost / bound.cost - 1.0;
             worstGap = std::max(worstGap, gap);
             sumOfGaps += gap / kInstances;
+            // Links that no cheaper order has are left out: of a dear order few, of the best one most.
+            const FoundOrder plain{.order = test::plainOrder(count),
+                                   .cost = costs.of(test::plainOrder(count))};
+            const FoundOrder* const known = i % 10 < 5 ? &order : &plain;
+            const OrderBound below = boundOf(costs, known->cost);
             if (i % 5 == 0) {
-                const ProvedOrder proved = branchAndBound(costs, order, bound, 20'000, {});
+                const ProvedOrder proved = branchAndBound(costs, *known, below, 20'000, {});
                 COMPARE_WITHIN(proved.found.cost, best.cost, 1e-6);
                 COMPARE_WITHIN(proved.bound, best.cost, 1e-6);
             }
+            if (best.cost < known->cost - 1e-6) {
+                const auto links = linksOfCheaperOrders(costs, below, known->cost);
+                for (std::size_t step = 1; step < count; ++step) {
+                    const std::pair<SwathEnd, SwathEnd> ends =
+                        std::minmax({otherEnd(best.order[step - 1]), best.order[step]});
+                    const bool isThere = std::ranges::any_of(links, [&](const UndirectedLink& link) {
+                        return link.a == ends.first && link.b == ends.second;
+                    });
+                    VERIFY_TOLD(isThere, QByteArray::number(i));
+                }
+                ++dearer;
+            }
+            kept += linksOfCheaperOrders(costs, bound, best.cost).size();
+            all += 2 * count * (count - 1);
         }
         VERIFY_TOLD(found >= kInstances * 99 / 100, QByteArray::number(found));
         VERIFY_TOLD(sumOfGaps < 0.01, QByteArray::number(sumOfGaps));
         VERIFY_TOLD(worstGap < 0.15, QByteArray::number(worstGap));
+        VERIFY_TOLD(dearer > 100, QByteArray::number(dearer));
+        VERIFY_TOLD(kept < all / 2, QByteArray::number(static_cast<double>(kept) / static_cast<double>(all)));
     }
 
     // On larger ones nothing that is found is below the bound, and more rounds are no worse.
