@@ -6185,8 +6185,16 @@
         <translation>die Spuren verlaufen %1; %2 langsamer als mit der besten Richtung</translation>
     </message>
     <message>
+        <source>swaths run %1; as quick as with the best heading</source>
+        <translation>die Spuren verlaufen %1; so schnell wie mit der besten Richtung</translation>
+    </message>
+    <message>
         <source>swaths run %1; %2 more than with the best heading</source>
         <translation>die Spuren verlaufen %1; %2 mehr als mit der besten Richtung</translation>
+    </message>
+    <message>
+        <source>swaths run %1; as short as with the best heading</source>
+        <translation>die Spuren verlaufen %1; so kurz wie mit der besten Richtung</translation>
     </message>
     <message>
         <source>Shortest swath</source>
@@ -7061,6 +7069,30 @@
     <message>
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>Namen von Zufahrten oder Punkte in WGS84 wie MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Immer</translation>
+    </message>
+    <message>
+        <source>The quickest of them is taken.</source>
+        <translation>Der schnellste wird genommen.</translation>
+    </message>
+    <message>
+        <source>Only where the first one cannot be driven</source>
+        <translation>Nur wenn der erste nicht fahrbar ist</translation>
+    </message>
+    <message>
+        <source>Planning is several times quicker, and the work takes some percent longer.</source>
+        <translation>Die Planung ist um ein Mehrfaches schneller, und die Arbeit dauert einige Prozent länger.</translation>
+    </message>
+    <message>
+        <source>Compare plans</source>
+        <translation>Pläne vergleichen</translation>
+    </message>
+    <message>
+        <source>Plans with other headings, orders, corners and fewer headland passes are driven beside the first one.</source>
+        <translation>Neben dem ersten werden Pläne mit anderen Fahrtrichtungen, Reihenfolgen und Ecken und mit weniger Vorgewendespuren zu Ende gerechnet.</translation>
     </message>
     <message>
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>

@@ -6185,8 +6185,16 @@
         <translation>las pasadas van %1; %2 más que con la mejor dirección</translation>
     </message>
     <message>
+        <source>swaths run %1; as quick as with the best heading</source>
+        <translation>las pasadas van %1; tan rápido como con la mejor dirección</translation>
+    </message>
+    <message>
         <source>swaths run %1; %2 more than with the best heading</source>
         <translation>las pasadas van %1; %2 más que con la mejor dirección</translation>
+    </message>
+    <message>
+        <source>swaths run %1; as short as with the best heading</source>
+        <translation>las pasadas van %1; tan corto como con la mejor dirección</translation>
     </message>
     <message>
         <source>Shortest swath</source>
@@ -7061,6 +7069,30 @@
     <message>
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>nombres de entradas o puntos en WGS84 como MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Siempre</translation>
+    </message>
+    <message>
+        <source>The quickest of them is taken.</source>
+        <translation>Se toma el más rápido.</translation>
+    </message>
+    <message>
+        <source>Only where the first one cannot be driven</source>
+        <translation>Solo si el primero no es realizable</translation>
+    </message>
+    <message>
+        <source>Planning is several times quicker, and the work takes some percent longer.</source>
+        <translation>La planificación es varias veces más rápida, y el trabajo dura unos pocos por ciento más.</translation>
+    </message>
+    <message>
+        <source>Compare plans</source>
+        <translation>Comparar planes</translation>
+    </message>
+    <message>
+        <source>Plans with other headings, orders, corners and fewer headland passes are driven beside the first one.</source>
+        <translation>Además del primero se calculan por completo planes con otras direcciones, órdenes y esquinas y con menos pasadas de cabecera.</translation>
     </message>
     <message>
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>

@@ -6185,8 +6185,16 @@
         <translation>les passages vont %1 ; %2 de plus qu&apos;avec la meilleure orientation</translation>
     </message>
     <message>
+        <source>swaths run %1; as quick as with the best heading</source>
+        <translation>les passages vont %1 ; aussi rapide qu&apos;avec la meilleure orientation</translation>
+    </message>
+    <message>
         <source>swaths run %1; %2 more than with the best heading</source>
         <translation>les passages vont %1 ; %2 de plus qu&apos;avec la meilleure orientation</translation>
+    </message>
+    <message>
+        <source>swaths run %1; as short as with the best heading</source>
+        <translation>les passages vont %1 ; aussi court qu&apos;avec la meilleure orientation</translation>
     </message>
     <message>
         <source>Shortest swath</source>
@@ -7061,6 +7069,30 @@
     <message>
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>des noms d&apos;entrées ou des points en WGS84 comme MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Toujours</translation>
+    </message>
+    <message>
+        <source>The quickest of them is taken.</source>
+        <translation>Le plus rapide est retenu.</translation>
+    </message>
+    <message>
+        <source>Only where the first one cannot be driven</source>
+        <translation>Seulement si le premier n&apos;est pas réalisable</translation>
+    </message>
+    <message>
+        <source>Planning is several times quicker, and the work takes some percent longer.</source>
+        <translation>La planification est plusieurs fois plus rapide, et le travail dure quelques pour cent de plus.</translation>
+    </message>
+    <message>
+        <source>Compare plans</source>
+        <translation>Comparer des plans</translation>
+    </message>
+    <message>
+        <source>Plans with other headings, orders, corners and fewer headland passes are driven beside the first one.</source>
+        <translation>En plus du premier, des plans avec d&apos;autres orientations, ordres et coins et moins de tours de fourrière sont calculés en entier.</translation>
     </message>
     <message>
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>

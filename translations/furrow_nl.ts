@@ -6185,8 +6185,16 @@
         <translation>de werkgangen lopen %1; %2 langzamer dan met de beste richting</translation>
     </message>
     <message>
+        <source>swaths run %1; as quick as with the best heading</source>
+        <translation>de werkgangen lopen %1; even snel als met de beste richting</translation>
+    </message>
+    <message>
         <source>swaths run %1; %2 more than with the best heading</source>
         <translation>de werkgangen lopen %1; %2 meer dan met de beste richting</translation>
+    </message>
+    <message>
+        <source>swaths run %1; as short as with the best heading</source>
+        <translation>de werkgangen lopen %1; even kort als met de beste richting</translation>
     </message>
     <message>
         <source>Shortest swath</source>
@@ -7061,6 +7069,30 @@
     <message>
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>namen van inritten of punten in WGS84 zoals MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Altijd</translation>
+    </message>
+    <message>
+        <source>The quickest of them is taken.</source>
+        <translation>Het snelste wordt genomen.</translation>
+    </message>
+    <message>
+        <source>Only where the first one cannot be driven</source>
+        <translation>Alleen als het eerste niet uitvoerbaar is</translation>
+    </message>
+    <message>
+        <source>Planning is several times quicker, and the work takes some percent longer.</source>
+        <translation>De planning is een paar keer zo snel, en het werk duurt enkele procenten langer.</translation>
+    </message>
+    <message>
+        <source>Compare plans</source>
+        <translation>Plannen vergelijken</translation>
+    </message>
+    <message>
+        <source>Plans with other headings, orders, corners and fewer headland passes are driven beside the first one.</source>
+        <translation>Naast het eerste worden plannen met andere rijrichtingen, volgordes en hoeken en met minder kopakkergangen doorgerekend.</translation>
     </message>
     <message>
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>

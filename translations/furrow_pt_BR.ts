@@ -6185,8 +6185,16 @@
         <translation>as passadas vão %1; %2 a mais que com a melhor direção</translation>
     </message>
     <message>
+        <source>swaths run %1; as quick as with the best heading</source>
+        <translation>as passadas vão %1; tão rápido quanto com a melhor direção</translation>
+    </message>
+    <message>
         <source>swaths run %1; %2 more than with the best heading</source>
         <translation>as passadas vão %1; %2 a mais que com a melhor direção</translation>
+    </message>
+    <message>
+        <source>swaths run %1; as short as with the best heading</source>
+        <translation>as passadas vão %1; tão curto quanto com a melhor direção</translation>
     </message>
     <message>
         <source>Shortest swath</source>
@@ -7061,6 +7069,30 @@
     <message>
         <source>names of gates or points in WGS84 such as MULTIPOINT ((4.1 52.0), (4.2 52.0))</source>
         <translation>nomes de entradas ou pontos em WGS84 como MULTIPOINT ((4.1 52.0), (4.2 52.0))</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Sempre</translation>
+    </message>
+    <message>
+        <source>The quickest of them is taken.</source>
+        <translation>O mais rápido é usado.</translation>
+    </message>
+    <message>
+        <source>Only where the first one cannot be driven</source>
+        <translation>Só se o primeiro não for executável</translation>
+    </message>
+    <message>
+        <source>Planning is several times quicker, and the work takes some percent longer.</source>
+        <translation>O plano é calculado várias vezes mais depressa, e o trabalho leva alguns por cento a mais.</translation>
+    </message>
+    <message>
+        <source>Compare plans</source>
+        <translation>Comparar planos</translation>
+    </message>
+    <message>
+        <source>Plans with other headings, orders, corners and fewer headland passes are driven beside the first one.</source>
+        <translation>Além do primeiro são calculados por inteiro planos com outras direções, ordens e cantos e com menos passadas de cabeceira.</translation>
     </message>
     <message>
         <source>headings, orders and corners are not compared as driven: the path has %1 parts and the field %2 corners, and with more than %3 in all that takes too long</source>

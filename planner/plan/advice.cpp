@@ -2,6 +2,7 @@
 
 #include "planner/headland/methods.h"
 #include "planner/path/gate_ways.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/narrow_places.h"
 #include "planner/plan/shown_value.h"
@@ -32,8 +33,9 @@ std::vector<Change> changesFor(const Plan& plan) {
     for (const Parameter* parameter : allParameters() | std::views::reverse) {
         Settings without = settings;
         without.clear(*parameter);
-        // Without refill points nobody would look whether the tank runs empty.
-        if (parameter != &kRouteRefill && settings.isSet(*parameter) &&
+        // Without refill points nobody would look whether the tank runs empty. For a plan that blocks, others
+        // are compared whatever is set.
+        if (parameter != &kRouteRefill && parameter != &kCompare && settings.isSet(*parameter) &&
             without.value(*parameter) != settings.value(*parameter)) {
             changes.push_back({parameter, settingText(without.value(*parameter))});
         }

@@ -5,6 +5,7 @@
 #include "planner/headland/methods.h"
 #include "planner/jobs/parallel.h"
 #include "planner/jobs/shared_progress.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan_chooser.h"
 #include "planner/plan/quicker_choice.h"
@@ -435,14 +436,16 @@ Result<std::shared_ptr<const Plan>> bestPlan(const BestPlanTask& task, const Job
     StageCache ownCache;
     StageCache& stageCache = cache != nullptr ? *cache : ownCache;
     StageRunner runner{stageCache};
-    ChoiceSearch search{runner, task, job};
+    BestPlanTask compared = task;
+    compared.request.settings.clear(kCompare);
+    ChoiceSearch search{runner, compared, job};
     const auto best = search.run();
     if (!best) {
         return std::unexpected(best.error());
     }
     const JobContext last = job.part(0.9, 1.0);
     const auto plan =
-        search.hasTaken() ? planOf(*best, last, stageCache) : makePlan(task.request, last, &stageCache);
+        search.hasTaken() ? planOf(*best, last, stageCache) : makePlan(compared.request, last, &stageCache);
     if (!plan) {
         return plan;
     }

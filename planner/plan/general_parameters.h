@@ -10,5 +10,7 @@ extern const Parameter kMargin;
 extern const Parameter kOverhang;
 /// Whether connections are checked against the drivable area.
 extern const Parameter kStayInside;
+/// Whether other plans are driven beside the first one, even if it can be driven.
+extern const Parameter kCompare;
 
 }  // namespace furrow

@@ -24,8 +24,8 @@ namespace {
 constexpr std::array<const Parameter*, 7> kSwathParameters{
     &kEnds, &kOverlap, &kLastPass, &kMinLength, &kTramlineEvery, &kTramlineStart, &kRoundUpTo};
 constexpr std::array<const Parameter*, 2> kCellParameters{&kSplit, &kCellHeading};
-constexpr std::array<const Parameter*, 4> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd,
-                                                           &kRouteRefill};
+constexpr std::array<const Parameter*, 5> kRouteParameters{&kTraversal, &kRouteStart, &kRouteEnd,
+                                                           &kRouteRefill, &kCompare};
 constexpr std::array<const Parameter*, 1> kPathParameters{&kStayInside};
 constexpr std::array<const Parameter*, 3> kGeneralParameters{&kOperationKind, &kMargin, &kOverhang};
 

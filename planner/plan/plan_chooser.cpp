@@ -5,6 +5,7 @@
 #include "planner/headland/methods.h"
 #include "planner/jobs/parallel.h"
 #include "planner/jobs/shared_progress.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/order_stage.h"
 #include "planner/route/methods.h"
@@ -22,6 +23,12 @@ namespace furrow {
 
 namespace {
 
+constexpr std::string_view kCompareAlways = "always";
+constexpr Choice kComparisons[] = {
+    {kCompareAlways, "Always", "The quickest of them is taken."},
+    {"blocked", "Only where the first one cannot be driven",
+     "Planning is several times quicker, and the work takes some percent longer."},
+};
 constexpr Angle kSameHeading = degrees(0.01);
 // A plan that leaves this share of the land, finishing passes and all, is not mended by other corners.
 constexpr double kMuchLeft = 0.2;
@@ -127,6 +134,20 @@ std::vector<std::string_view> otherCorners(const BestSoFar& best) {
 }
 
 }  // namespace
+
+const Parameter kCompare{
+    .key = "route.compare",
+    .name = "Compare plans",
+    .description =
+        "Plans with other headings, orders, corners and fewer headland passes are driven beside the first one.",
+    .kind = ParameterKind::Choice,
+    .standard = 0.0,
+    .choices = kComparisons};
+
+bool isCompared(const PlannedStages& asked) {
+    return !asked.request.draft &&
+           (asked.request.settings.choice(kCompare) == kCompareAlways || !asked.drivable());
+}
 
 Duration timeOf(const PlannedStages& plan) {
     return timeForAll(plan.request.machine, plan.driven->path, plan.driven->audit);
@@ -413,6 +434,9 @@ Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobCon
     }
     if (course_.asked) {
         course_.asked(*asked);
+    }
+    if (!isCompared(*asked)) {
+        return best;
     }
     const bool isTooLarge = isTooLargeToCompare(*asked);
     if (isTooLarge) {

@@ -39,6 +39,9 @@ Message reasonFor(const PlannedStages& better, const PlannedStages& other);
 inline constexpr std::size_t kMostCompared = 8'000;
 bool isTooLargeToCompare(const PlannedStages& plan);
 
+/// Whether other plans are driven beside this one: not for a draft.
+bool isCompared(const PlannedStages& asked);
+
 /// The value that was used for a setting; another one may have been noted before.
 void note(std::vector<SettingChange>& instead, const Parameter& parameter, std::string_view value);
 

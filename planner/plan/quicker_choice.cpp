@@ -157,7 +157,7 @@ Result<BestSoFar> quickestChoice(const PlanRequest& request, StageRunner& runner
         return std::unexpected(best.error());
     }
     Result<void> tried;
-    if (compares && !isTooLargeToCompare(best->plan)) {
+    if (compares && isCompared(best->plan) && !isTooLargeToCompare(best->plan)) {
         tried = tryFewerPasses(chooser, *best, whole.part(improved, 1.0));
         const double each = (1.0 - asked) / static_cast<double>(std::max<std::size_t>(1, simpler.size()));
         for (std::size_t i = 0; i < simpler.size(); ++i) {

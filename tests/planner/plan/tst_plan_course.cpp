@@ -12,6 +12,7 @@
 
 #include <QTest>
 
+#include <atomic>
 #include <mutex>
 #include <set>
 
@@ -140,6 +141,47 @@ private slots:
         VERIFY_RESULT(unheard);
         QVERIFY((*unheard)->path == (*plan)->path);
         QVERIFY((*unheard)->route == (*plan)->route);
+    }
+
+    void plansAreComparedWhereTheFirstCannotBeDriven_data() {
+        QTest::addColumn<std::string>("field");
+        QTest::addColumn<std::string>("machine");
+        QTest::addColumn<std::string>("passes");
+        QTest::addColumn<bool>("isCompared");
+        QTest::newRow("drivable at once")
+            << std::string{"home_field"} << std::string{"agbot"} << std::string{"auto"} << false;
+        // One pass has no room for the turns of a cultivator.
+        QTest::newRow("blocked") << std::string{"long_strip"} << std::string{"cultivator"} << std::string{"1"}
+                                 << true;
+    }
+    void plansAreComparedWhereTheFirstCannotBeDriven() {
+        QFETCH(const std::string, field);
+        QFETCH(const std::string, machine);
+        QFETCH(const std::string, passes);
+        PlanRequest request = requestFor(field, machine);
+        VERIFY_RESULT(applySetting(request.settings, "headland.passes", passes));
+        const auto always = makePlan(request);
+        VERIFY_RESULT(always);
+        VERIFY_RESULT(applySetting(request.settings, "route.compare", "blocked"));
+        std::atomic<int> compared = 0;
+        std::shared_ptr<const Plan> first;
+        const auto plan = makePlan(request, {}, nullptr,
+                                   {.firstPlan = [&](const auto& asked) { first = asked; },
+                                    .compared = [&](std::size_t, std::size_t) { ++compared; }});
+        VERIFY_RESULT(plan);
+        QTEST(compared > 0, "isCompared");
+        const auto timeOf = [](const Plan& one) {
+            return timeForAll(one.request.machine, one.path, one.audit);
+        };
+        QVERIFY((*always)->blockingCount() <= (*plan)->blockingCount());
+        if (compared == 0) {
+            QVERIFY((*plan)->drivable());
+            QVERIFY((*plan)->path == first->path && (*plan)->instead.empty());
+            QVERIFY(timeOf(**always) <= timeOf(**plan));
+        } else {
+            // Nothing is given up for speed where the plan needs it.
+            QVERIFY((*plan)->path == (*always)->path);
+        }
     }
 
     void aDraftTellsNoFirstPlan() {
