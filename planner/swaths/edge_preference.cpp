@@ -109,12 +109,17 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     const HeadingFigures& chosen = preferred.chosen.figures;
     const HeadingFigures& best = preferred.best->figures;
     Message text = message("swaths run {}", along);
-    const Duration slower = chosen.time - best.time;
-    const double moreM = (chosen.length + chosen.missed - best.length - best.missed).si();
-    if (objective == SwathObjective::Time && slower.si() >= kWorthTelling) {
-        text = message("swaths run {}; {} slower than with the best heading", along, timeMessage(slower));
-    } else if (objective == SwathObjective::Length && moreM >= kWorthTelling) {
-        text = message("swaths run {}; {:.0f} m more than with the best heading", along, moreM);
+    if (objective == SwathObjective::Time) {
+        const Duration slower = chosen.time - best.time;
+        text =
+            slower.si() >= kWorthTelling
+                ? message("swaths run {}; {} slower than with the best heading", along, timeMessage(slower))
+                : message("swaths run {}; as quick as with the best heading", along);
+    } else if (objective == SwathObjective::Length) {
+        const double moreM = (chosen.length + chosen.missed - best.length - best.missed).si();
+        text = moreM >= kWorthTelling
+                   ? message("swaths run {}; {:.0f} m more than with the best heading", along, moreM)
+                   : message("swaths run {}; as short as with the best heading", along);
     }
     return {.text = text, .where = std::string{kPreferEdge.key}, .place = {}};
 }
