@@ -1,13 +1,9 @@
 #include "planner/io/import/field_reader.h"
-
-#include <unistd.h>
+#include "tests/fuzz/joined_files.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <format>
-#include <fstream>
 #include <string_view>
 
 using namespace furrow;
@@ -23,8 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (text.empty()) {
         return 0;
     }
-    static const fs::path folder = fs::temp_directory_path() / std::format("fuzz_fields_{}", ::getpid());
-    fs::create_directories(folder);
+    static const fs::path folder = fuzz::ownFolder();
     const fs::path path = folder / kNames[static_cast<unsigned char>(text.front()) % kNames.size()];
     std::ofstream{path, std::ios::binary} << text.substr(1);
     (void)readFields(path);

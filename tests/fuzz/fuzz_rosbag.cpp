@@ -1,12 +1,8 @@
 #include "planner/io/formats/ros/ros.h"
-
-#include <unistd.h>
+#include "tests/fuzz/joined_files.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <format>
-#include <fstream>
 #include <string_view>
 
 using namespace furrow;
@@ -15,8 +11,7 @@ using namespace furrow;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view text{reinterpret_cast<const char*>(data), size};
     // It reads from files; this one is in memory where the system has such a place.
-    static const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / std::format("fuzz_{}.mcap", ::getpid());
+    static const std::filesystem::path path = fuzz::ownFolder() / "a.mcap";
     std::ofstream{path, std::ios::binary} << text;
     (void)rosbagTracks({path}, "fuzz", {});
     return 0;
