@@ -44,25 +44,6 @@ constexpr double kStepShare = 0.125;
 // A hundred times what large fields take.
 constexpr std::size_t kMostPointsClipped = 200'000'000;
 
-/// The part of a ring on the left of a line (Sutherland & Hodgman 1974, doi 10.1145/360767.360802). Separate
-/// parts stay joined by edges without area between them.
-Ring leftOf(const Ring& ring, Point on, Point along) {
-    Ring kept;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point from = ring[i];
-        const Point to = ring[(i + 1) % ring.size()];
-        const double fromLeft = cross(along, from - on);
-        const double toLeft = cross(along, to - on);
-        if (fromLeft >= 0.0) {
-            kept.push_back(from);
-        }
-        if ((fromLeft >= 0.0) != (toLeft >= 0.0)) {
-            kept.push_back(from + (fromLeft / (fromLeft - toLeft)) * (to - from));
-        }
-    }
-    return kept;
-}
-
 /// A line for passes, as long as the edge, chord or side it comes from.
 struct Guide {
     Point on;
@@ -113,13 +94,6 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
         add(hull[i], hull[(i + 1) % hull.size()]);
     }
     return guides;
-}
-
-Ring clipped(Ring ring, const Ring& strip) {
-    for (std::size_t i = 0; i < strip.size() && !ring.empty(); ++i) {
-        ring = leftOf(ring, strip[i], strip[(i + 1) % strip.size()] - strip[i]);
-    }
-    return ring.size() < 3 ? Ring{} : ring;
 }
 
 Strip stripAlong(const FinishingPass& pass, double widthM) {
@@ -194,9 +168,9 @@ FinishingLanes::FinishingLanes(const FinishingTask& task)
       flushM_{0.5 * std::max(widthM_, task.lowered.machine().workingFootprintWidth().si()) + kBesideEdgeM},
       runInM_{task.lowered.machine().runIn().si()} {}
 
-Ring FinishingLanes::clippedBy(const Ring& strip, const Ring& ring) const {
+const Ring& FinishingLanes::clippedBy(const Ring& strip, const Ring& ring) const {
     pointsClipped_ += ring.size();
-    return clipped(ring, strip);
+    return clipping_.clipped(ring, strip);
 }
 
 bool FinishingLanes::isSpent() const {
@@ -281,15 +255,15 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
         if (!meet(piece.box, box)) {
             continue;
         }
-        const Ring inStrip = clippedBy(strip, piece.outline.outer);
+        const Ring& inStrip = clippedBy(strip, piece.outline.outer);
         candidate.gainM2 += signedAreaM2(inStrip);
-        for (const Ring& hole : piece.outline.holes) {
-            candidate.gainM2 += signedAreaM2(clippedBy(strip, hole));
-        }
         for (const Point& point : inStrip) {
             const double m = dot(lane.along, point - lane.on);
             beginsM = std::min(beginsM, m);
             endsM = std::max(endsM, m);
+        }
+        for (const Ring& hole : piece.outline.holes) {
+            candidate.gainM2 += signedAreaM2(clippedBy(strip, hole));
         }
     }
     if (candidate.gainM2 < leastGainM2() || endsM - beginsM <= 2.0 * kLaneLookM) {
@@ -366,7 +340,7 @@ void FinishingLanes::addLane(const Polygon& piece, Point on, Point along, double
     const double beyondM = kBeyondWidths * widthM_;
     const Ring strip = {on - beyondM * along - side, on + (lengthM + beyondM) * along - side,
                         on + (lengthM + beyondM) * along + side, on - beyondM * along + side};
-    const Ring beside = clippedBy(strip, piece.outer);
+    const Ring& beside = clippedBy(strip, piece.outer);
     const double gainM2 = std::abs(signedAreaM2(beside));
     if (beside.empty() || gainM2 < leastGainM2()) {
         return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/geometry/ring_clipping.h"
 #include "planner/headland/finishing_passes.h"
 
 #include <cstddef>
@@ -100,13 +101,15 @@ private:
     void addLane(const Polygon& piece, Point on, Point along, double lengthM,
                  std::vector<FinishingLane>& lanes) const;
 
-    Ring clippedBy(const Ring& strip, const Ring& ring) const;
+    /// Valid until the next one.
+    const Ring& clippedBy(const Ring& strip, const Ring& ring) const;
 
     const FinishingTask& task_;
     double widthM_;
     double flushM_;  ///< from an edge to the middle of a pass along it
     double runInM_;
     mutable std::size_t pointsClipped_ = 0;
+    mutable RingClipping clipping_;
 };
 
 }  // namespace furrow

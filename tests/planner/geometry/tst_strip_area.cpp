@@ -1,4 +1,5 @@
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/ring_clipping.h"
 #include "planner/geometry/strip_area.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
@@ -38,6 +39,7 @@ private slots:
     }
     void asGeosHasIt() {
         std::mt19937_64 random{7};
+        RingClipping clipping;
         for (int i = 0; i < 500; ++i) {
             const MultiPolygon land = test::randomPolygons(
                 random, test::kShapes[static_cast<std::size_t>(i) % test::kShapes.size()], 100.0);
@@ -53,13 +55,32 @@ private slots:
             const MultiPolygon rectangle{
                 {.outer = {strip.from - side, end - side, end + side, strip.from + side}, .holes = {}}};
             double sumM2 = 0.0;
+            double clippedM2 = 0.0;
             for (const Polygon& polygon : land) {
                 sumM2 += areaInM2(polygon, strip);
+                clippedM2 += signedAreaM2(clipping.clipped(polygon.outer, rectangle.front().outer));
+                for (const Ring& hole : polygon.holes) {
+                    clippedM2 += signedAreaM2(clipping.clipped(hole, rectangle.front().outer));
+                }
             }
             const auto common = intersection(land, rectangle, {});
             QVERIFY(common.has_value());
             COMPARE_WITHIN(sumM2, area(*common).si(), 1e-6);
+            COMPARE_WITHIN(clippedM2, area(*common).si(), 1e-6);
         }
+    }
+    void clippedByHand() {
+        RingClipping clipping;
+        const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+        const Ring inside{{2, 2}, {4, 2}, {3, 5}};
+        QCOMPARE(clipping.clipped(inside, square), inside);
+        QVERIFY(clipping.clipped({{12, 2}, {14, 2}, {13, 5}}, square).empty());
+        QVERIFY(clipping.clipped({}, square).empty());
+        // A corner that juts out to the right, and one to the right and upwards.
+        QCOMPARE(clipping.clipped({{8, 4}, {12, 6}, {8, 8}}, square),
+                 (Ring{{8, 4}, {10, 5}, {10, 7}, {8, 8}}));
+        COMPARE_WITHIN(signedAreaM2(clipping.clipped({{8, 8}, {14, 8}, {14, 14}, {8, 14}}, square)), 4.0,
+                       1e-12);
     }
 };
 
