@@ -9790,6 +9790,13 @@
 </context>
 <context>
     <name>furrow::StepsModel</name>
+    <message numerus="yes">
+        <source>%1 but for %n edge(s)</source>
+        <translation>
+            <numerusform>%1 außer an %n Kante</numerusform>
+            <numerusform>%1 außer an %n Kanten</numerusform>
+        </translation>
+    </message>
     <message>
         <source>%1 inside</source>
         <translation>Innenfläche %1</translation>

@@ -414,6 +414,13 @@
 <context>
     <name>furrow::StepsModel</name>
     <message numerus="yes">
+        <source>%1 but for %n edge(s)</source>
+        <translation>
+            <numerusform>%1 but for %n edge</numerusform>
+            <numerusform>%1 but for %n edges</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n pass(es)</source>
         <translation>
             <numerusform>%n pass</numerusform>

@@ -9790,6 +9790,13 @@
 </context>
 <context>
     <name>furrow::StepsModel</name>
+    <message numerus="yes">
+        <source>%1 but for %n edge(s)</source>
+        <translation>
+            <numerusform>%1 sauf sur %n côté</numerusform>
+            <numerusform>%1 sauf sur %n côtés</numerusform>
+        </translation>
+    </message>
     <message>
         <source>%1 inside</source>
         <translation>plein champ %1</translation>

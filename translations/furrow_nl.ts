@@ -9790,6 +9790,13 @@
 </context>
 <context>
     <name>furrow::StepsModel</name>
+    <message numerus="yes">
+        <source>%1 but for %n edge(s)</source>
+        <translation>
+            <numerusform>%1 behalve aan %n zijde</numerusform>
+            <numerusform>%1 behalve aan %n zijden</numerusform>
+        </translation>
+    </message>
     <message>
         <source>%1 inside</source>
         <translation>binnenakker %1</translation>

@@ -9790,6 +9790,13 @@
 </context>
 <context>
     <name>furrow::StepsModel</name>
+    <message numerus="yes">
+        <source>%1 but for %n edge(s)</source>
+        <translation>
+            <numerusform>%1 exceto em %n lado</numerusform>
+            <numerusform>%1 exceto em %n lados</numerusform>
+        </translation>
+    </message>
     <message>
         <source>%1 inside</source>
         <translation>interior %1</translation>

@@ -1,5 +1,6 @@
 #include "ui/plan/steps_model.h"
 
+#include "planner/headland/headland.h"
 #include "planner/io/import/boundary_import.h"
 #include "planner/path/blocking.h"
 #include "planner/plan/method_registry.h"
@@ -41,6 +42,15 @@ std::vector<const Parameter*> parametersOf(const StageInfo& stage, const Setting
 QString methodName(const StageInfo& stage, const Settings& settings) {
     const auto method = std::ranges::find(stage.methods, settings.choice(*stage.method), &MethodInfo::id);
     return method == stage.methods.end() ? QString{} : shown(method->name);
+}
+
+/// Edges with a width of their own are told where the method says that all have the same.
+QString methodOf(const StageInfo& stage, const StepsContent& content) {
+    const QString name = methodName(stage, content.settings);
+    const auto edges = content.field == nullptr ? 0 : content.field->source().edgeHeadlands.size();
+    return stage.id == "headland" && edges > 0 && headlandMethod(content.settings).traits.isOneWidth
+               ? StepsModel::tr("%1 but for %n edge(s)", nullptr, static_cast<int>(edges)).arg(name)
+               : name;
 }
 
 /// The step in which what a finding tells is decided.
@@ -215,7 +225,7 @@ void StepsModel::show(const StepsContent& content) {
     for (std::size_t i = 0; i < stages().size(); ++i) {
         const StageInfo& stage = stages()[i];
         Step& step = steps_[i + 2];
-        step.choice = methodName(stage, content.settings);
+        step.choice = methodOf(stage, content);
         step.result = content.plan == nullptr ? QString{} : resultOf(stage.id, *content.plan);
         step.status = content.plan == nullptr ? Status::None : finished ? Status::Good : Status::Old;
         step.parameters->show(parametersOf(stage, content.settings), content.settings, filledIn);

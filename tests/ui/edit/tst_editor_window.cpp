@@ -4,6 +4,7 @@
 #include "tests/ui/window/editor_window_test.h"
 #include "tests/ui/window/frame_clock.h"
 #include "ui/edit/inspector.h"
+#include "ui/plan/steps_model.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -119,6 +120,10 @@ private slots:
         const QPoint b = cornerOnMap(1);
         const double before = session_->shown()->plan()->headland.mainlandRatio;
         const double elsewhere = session_->shown()->plan()->headland.width.si();
+        const auto headland = [this] {
+            return session_->planning()->steps()->index(2).data(StepsModel::ChoiceRole).toString();
+        };
+        QCOMPARE(headland(), QStringLiteral("Same width all round"));
         clickAt(a + (b - a) / 4);
         QTRY_COMPARE(editor()->selection().kind, Selection::Kind::Edge);
         enter(QStringLiteral("inspector.number.2"), QStringLiteral("60m"));
@@ -131,6 +136,7 @@ private slots:
         picture(QStringLiteral("edge-headland"));
         // The others keep theirs.
         QVERIFY(session_->shown()->plan()->headland.width.si() > 59.0);
+        QCOMPARE(headland(), QStringLiteral("Same width all round but for 1 edge"));
         const QPoint c = cornerOnMap(2);
         clickAt(b + (c - b) / 4);
         QTRY_VERIFY(item(QStringLiteral("inspector.number.2")) &&
