@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace furrow {
 
 namespace {
@@ -16,6 +18,8 @@ constexpr auto kContext = "Planner";
 
 // What has as many decimals is a coordinate, which files and other programs write with a point.
 constexpr int kCoordinateDecimals = 6;
+// Characters.
+constexpr qsizetype kLongestAmount = 12;
 
 QString capital(QString text) {
     if (!text.isEmpty()) {
@@ -53,14 +57,27 @@ QString quantity(const MessageArgument& argument) {
                             : plainNumber(argument.number, argument.decimals);
 }
 
+/// A number and its unit stay on one line.
+QString unbroken(QString text) {
+    return text.replace(QLatin1Char(' '), QChar{QChar::Nbsp});
+}
+
+/// A number with a word ("3 min", "1 h 20 min", "24 passes"), and not a sentence.
+bool isAmount(const QString& text) {
+    return text.size() <= kLongestAmount &&
+           std::ranges::any_of(text, [](QChar each) { return each.isDigit(); });
+}
+
 QString argumentText(const MessageArgument& argument) {
     switch (argument.kind) {
         case MessageArgument::Kind::Words: return fromStd(argument.message.text());
-        case MessageArgument::Kind::Message: return shown(argument.message);
+        case MessageArgument::Kind::Message: {
+            const QString text = shown(argument.message);
+            return isAmount(text) ? unbroken(text) : text;
+        }
         case MessageArgument::Kind::Number: break;
     }
-    // A number and its unit stay on one line.
-    return quantity(argument).replace(QLatin1Char(' '), QChar{QChar::Nbsp});
+    return unbroken(quantity(argument));
 }
 
 /// Keys of settings are for the command line; in the window a setting has a name and a place.

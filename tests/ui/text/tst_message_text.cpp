@@ -1,6 +1,7 @@
 #include "planner/core/message.h"
 #include "planner/core/place_message.h"
 #include "planner/core/place_text.h"
+#include "planner/units/time_message.h"
 #include "tests/support/test_program.h"
 #include "ui/text/display.h"
 #include "ui/text/message_text.h"
@@ -18,6 +19,20 @@ private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         QCoreApplication::setOrganizationName(QStringLiteral("Furrow"));
+    }
+
+    void noLineBreakDividesAnAmount() {
+        Display::instance().force(QStringLiteral("en"), Display::Metric);
+        const auto told = [](Duration time) {
+            return shown(message("it is {} quicker than that", timeMessage(time)));
+        };
+        QVERIFY2(told(seconds(180.0)).contains(QStringLiteral("3\u00a0min")),
+                 qPrintable(told(seconds(180.0))));
+        QVERIFY(told(seconds(7200.0)).contains(QStringLiteral("2\u00a0h\u00a00\u00a0min")));
+        // A sentence with a number in it may be divided.
+        const QString whole =
+            shown(message("{}: {}", "a", message("Headland pass {} leaves the field by {:.1f} m.", 4, 3.5)));
+        QCOMPARE(whole.count(QChar{QChar::Nbsp}), 1);
     }
 
     void shows_data() {
