@@ -283,8 +283,9 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
         });
     };
     auto tried = takeBest(best, others.size(), withCorner, job);
-    if (isFirst) {
-        // What blocks here, and is quicker, may be drivable along another heading.
+    // What blocks here, and is quicker, may be drivable along another heading; where all of them block, each
+    // may.
+    if (isFirst && best.plan.drivable()) {
         const Duration most = near * timeOf(best.plan);
         best.nearCorners.emplace();
         for (const std::string_view kind : cornerKinds(best.asked.machine)) {
