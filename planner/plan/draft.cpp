@@ -20,8 +20,7 @@ namespace furrow {
 namespace {
 
 void choose(Settings& settings, std::string_view stage, std::string_view method) {
-    const auto info = std::ranges::find(stages(), stage, &StageInfo::id);
-    settings.set(*info->method, std::string{method}).value();
+    settings.set(*stageMethod(stage), std::string{method}).value();
 }
 
 /// The swaths of a plan in their order, in the frame of a field whose boundary may have changed.

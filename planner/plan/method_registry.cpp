@@ -159,8 +159,12 @@ std::span<const StageInfo> stages() {
     return registry().stages;
 }
 
+const StageInfo& stageInfo(std::string_view stageId) {
+    return *std::ranges::find(registry().stages, stageId, &StageInfo::id);
+}
+
 const Parameter* stageMethod(std::string_view stageId) {
-    return std::ranges::find(registry().stages, stageId, &StageInfo::id)->method;
+    return stageInfo(stageId).method;
 }
 
 std::span<const Parameter* const> generalParameters() {

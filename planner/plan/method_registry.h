@@ -26,7 +26,10 @@ struct StageInfo {
 /// All stages in the order of the pipeline: the one list that window, command line and benchmarks read.
 std::span<const StageInfo> stages();
 
-/// The setting that chooses the method of a stage; there has to be such a stage.
+/// A stage; there has to be one with this id.
+const StageInfo& stageInfo(std::string_view stageId);
+
+/// The setting that chooses its method.
 const Parameter* stageMethod(std::string_view stageId);
 
 /// Settings that belong to no stage: operation, margin.

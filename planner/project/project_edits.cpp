@@ -37,8 +37,7 @@ const Parameter& parameterOf(std::string_view key) {
 }
 
 bool hasSwathMethod(std::string_view id) {
-    const auto stage = std::ranges::find(stages(), "swaths", &StageInfo::id);
-    return std::ranges::contains(stage->methods, id, &MethodInfo::id);
+    return std::ranges::contains(stageInfo("swaths").methods, id, &MethodInfo::id);
 }
 
 /// Methods that lay swaths along a line of at least two points.

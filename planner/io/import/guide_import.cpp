@@ -20,8 +20,8 @@ bool isFinite(const GeoPoint& point) {
 
 /// Whether the chosen swath method reads this setting.
 bool reads(const Settings& settings, const Parameter& parameter) {
-    const auto stage = std::ranges::find(stages(), "swaths", &StageInfo::id);
-    const auto method = std::ranges::find(stage->methods, settings.choice(*stage->method), &MethodInfo::id);
+    const StageInfo& stage = stageInfo("swaths");
+    const auto method = std::ranges::find(stage.methods, settings.choice(*stage.method), &MethodInfo::id);
     return std::ranges::contains(method->parameters, &parameter);
 }
 

@@ -93,8 +93,7 @@ private slots:
     void turnMethods_data() {
         QTest::addColumn<QString>("method");
         QTest::addColumn<QString>("machine");
-        const auto path = std::ranges::find(stages(), "path", &StageInfo::id);
-        for (const MethodInfo& method : path->methods) {
+        for (const MethodInfo& method : stageInfo("path").methods) {
             for (const char* machine : {"agbot", "mounted-drill", "trailed-sprayer"}) {
                 QTest::addRow("%s, %s", std::string{method.id}.c_str(), machine)
                     << QString::fromStdString(std::string{method.id}) << machine;

@@ -87,8 +87,7 @@ private slots:
     void everyKindOnARectangle_data() {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("machine");
-        const auto path = std::ranges::find(stages(), std::string_view{"path"}, &StageInfo::id);
-        for (const MethodInfo& kind : path->methods) {
+        for (const MethodInfo& kind : stageInfo("path").methods) {
             for (const char* machine : {"agbot", "cultivator", "plough", "trailed-sprayer", "field-robot"}) {
                 QTest::addRow("%s, %s", std::string{kind.id}.c_str(), machine)
                     << QString::fromUtf8(kind.id.data(), static_cast<qsizetype>(kind.id.size())) << machine;

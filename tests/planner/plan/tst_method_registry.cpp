@@ -94,11 +94,11 @@ private slots:
     }
     void methodsAreNamedAsInTheContract() {
         QFETCH(QString, stageId);
-        const auto stage = std::ranges::find(stages(), stageId.toStdString(), &StageInfo::id);
-        const auto row = std::ranges::find(kContract, stage->method->key, &ContractRow::key);
-        QVERIFY2(row != kContract.end(), std::string{stage->method->key}.c_str());
-        QVERIFY(!stage->methods.empty());
-        for (const MethodInfo& method : stage->methods) {
+        const StageInfo& stage = stageInfo(stageId.toStdString());
+        const auto row = std::ranges::find(kContract, stage.method->key, &ContractRow::key);
+        QVERIFY2(row != kContract.end(), std::string{stage.method->key}.c_str());
+        QVERIFY(!stage.methods.empty());
+        for (const MethodInfo& method : stage.methods) {
             QVERIFY2(std::ranges::find(row->ids, method.id) != row->ids.end(),
                      std::string{method.id}.c_str());
             QVERIFY(!method.name.empty());
@@ -106,9 +106,9 @@ private slots:
         }
         // "the default is the first of the row that exists"
         const auto firstThere = std::ranges::find_if(row->ids, [&](std::string_view id) {
-            return std::ranges::find(stage->methods, id, &MethodInfo::id) != stage->methods.end();
+            return std::ranges::find(stage.methods, id, &MethodInfo::id) != stage.methods.end();
         });
-        QCOMPARE(settingText(stage->method->defaultValue()), std::string{*firstThere});
+        QCOMPARE(settingText(stage.method->defaultValue()), std::string{*firstThere});
     }
 
     void choicesAreNamedAsInTheContract() {
@@ -251,14 +251,12 @@ private slots:
 
     // In the contract's order, the default first.
     void decompositionsInTheContractsOrder() {
-        const auto stage = std::ranges::find(stages(), "decomposition", &StageInfo::id);
-        QVERIFY(stage != stages().end());
         QStringList ids;
-        for (const MethodInfo& method : stage->methods) {
+        for (const MethodInfo& method : stageInfo("decomposition").methods) {
             ids << QString::fromUtf8(method.id);
         }
         QCOMPARE(ids.join(QLatin1Char{' '}), QStringLiteral("merged boustrophedon trapezoidal none"));
-        QCOMPARE(Settings{}.choice(*stage->method), std::string{"merged"});
+        QCOMPARE(Settings{}.choice(*stageInfo("decomposition").method), std::string{"merged"});
     }
 
     void everyMethodPlansARectangle_data() {

@@ -190,10 +190,9 @@ private slots:
         QTRY_COMPARE(window_->height(), size.height());
         // 9,000 headings take longer than a draft anywhere.
         ParameterModel* swaths = session_->planning()->steps()->parameters(QStringLiteral("swaths"));
-        const auto stage = std::ranges::find(stages(), "swaths", &StageInfo::id);
-        swaths->setChoice(0,
-                          static_cast<int>(std::ranges::find(stage->methods, "brute-force", &MethodInfo::id) -
-                                           stage->methods.begin()));
+        const std::vector<MethodInfo>& methods = stageInfo("swaths").methods;
+        swaths->setChoice(0, static_cast<int>(std::ranges::find(methods, "brute-force", &MethodInfo::id) -
+                                              methods.begin()));
         for (int row = 0; row < swaths->rowCount(); ++row) {
             if (swaths->index(row).data(ParameterModel::KeyRole).toString() ==
                 QStringLiteral("swaths.step_deg")) {

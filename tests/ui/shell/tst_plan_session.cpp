@@ -29,9 +29,8 @@ int rowOf(const ParameterModel& model, const QString& key) {
 
 /// The place of a method in its stage's list.
 int methodIndex(std::string_view stageId, std::string_view methodId) {
-    const auto stage = std::ranges::find(stages(), stageId, &StageInfo::id);
-    return static_cast<int>(std::ranges::find(stage->methods, methodId, &MethodInfo::id) -
-                            stage->methods.begin());
+    const std::vector<MethodInfo>& methods = stageInfo(stageId).methods;
+    return static_cast<int>(std::ranges::find(methods, methodId, &MethodInfo::id) - methods.begin());
 }
 
 QVariant roleOf(const ParameterModel& model, const QString& key, int role) {
