@@ -7,7 +7,6 @@
 #include "planner/path/blocking.h"
 #include "planner/path/pass_placing.h"
 #include "planner/plan/general_parameters.h"
-#include "planner/plan/stopwatch.h"
 #include "planner/plan/swath_stage.h"
 
 #include <algorithm>
@@ -132,7 +131,6 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     std::vector<PassStretch> refused;
     const auto refuse = [&refused](const HeadlandPass& pass) { refused.push_back(pass.stretches.front()); };
     for (int round = 0; round < kFinishingRounds && leavesTooMuch(driven); ++round) {
-        Stopwatch watch;
         const JobContext part =
             job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
         const Area hairs = driven.audit.left - area(driven.audit.leftAreas);
@@ -158,7 +156,6 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
             std::ranges::move(folded.put, std::back_inserter(more.put));
         }
         std::ranges::for_each(more.refused, refuse);
-        driven.driving += watch.lap();
         if (more.put.empty()) {
             if (more.refused.empty()) {
                 break;
@@ -171,7 +168,6 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         if (!finished) {
             return finished;
         }
-        finished->driving += driven.driving;
         finished->auditing += driven.auditing;
         if (blockingCount(finished->findings) > blockingCount(driven.findings) ||
             lastingCount(finished->findings) > lastingCount(driven.findings) ||

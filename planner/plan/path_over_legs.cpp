@@ -197,7 +197,6 @@ Result<Driven> PathOverLegs::driveWithTrips(std::vector<Leg> legs, const RefillT
 Result<Driven> PathOverLegs::driveAs(std::vector<Leg>& legs, const RefillTrips* trips,
                                      std::vector<HeadlandPass> finishing, std::optional<PlanToBeat> toBeat,
                                      const JobContext& job) const {
-    Stopwatch watch;
     const PlanRequest& request = task_.request;
     const auto isSlower = [&](const Path& path, double share) {
         return toBeat && toBeat->isLostAfter(share * path.duration());
@@ -237,7 +236,6 @@ Result<Driven> PathOverLegs::driveAs(std::vector<Leg>& legs, const RefillTrips* 
                   .refill = trips != nullptr ? std::optional{*trips} : std::nullopt,
                   .leftBeforeFinishing = {},
                   .finishingCost = {},
-                  .driving = watch.lap(),
                   .auditing = {}};
     // Other finishing passes, or headlands in the place of swaths round obstacles, may be better.
     const bool isLast = driven.finishing.empty() && task_.laid.swaths.goneRound.empty();
@@ -248,6 +246,7 @@ Result<Driven> PathOverLegs::driveAs(std::vector<Leg>& legs, const RefillTrips* 
     if (isLost()) {
         return std::unexpected(noBetter(*request.field));
     }
+    Stopwatch watch;
     const AuditInput input = auditInput({.request = request,
                                          .margin = task_.ground->margin,
                                          .overhung = task_.ground->overhung,

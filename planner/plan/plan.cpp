@@ -161,6 +161,7 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     const PlannedStages& stages = choice->plan;
     // The bound knows no trips to refill points.
     const bool isBounded = routeMethod(request.settings).traits.isByTime && plan->path.refillCount() == 0;
+    Stopwatch proving;
     if (!request.draft && isBounded && !plan->route.steps.empty()) {
         const auto proof = proofStage({.request = stages.request,
                                        .ground = stages.ground,
@@ -172,9 +173,11 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
         }
         plan->proof = *proof;
     }
+    const Duration proved = proving.lap();
     addReasons(*plan);
     addNotes(*plan);
     plan->timings = runner.timings();
+    plan->timings.proof = proved;
     plan->timings.total = watch.lap();
     part.report(1.0);
     return plan;

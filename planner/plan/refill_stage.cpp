@@ -132,6 +132,7 @@ private:
 
     std::optional<Trip> tripBefore(std::size_t piece) const {
         std::vector<std::pair<double, std::size_t>> nearest;
+        nearest.reserve(stops_.size());
         for (std::size_t i = 0; i < stops_.size(); ++i) {
             nearest.emplace_back(leastS(piece, stops_[i]), i);
         }
@@ -255,7 +256,7 @@ Result<Driven> refillStage(const DriveTask& task, Driven driven, const std::vect
     }
     double capacity = work.capacity;
     std::optional<std::size_t> unreached;
-    const Driven before = std::move(driven);
+    const Driven before = std::exchange(driven, {});
     for (int round = 0; round < kRounds; ++round) {
         Stops stopped(pieces.size());
         if (known) {
@@ -279,7 +280,6 @@ Result<Driven> refillStage(const DriveTask& task, Driven driven, const std::vect
         }
         made->leftBeforeFinishing = before.leftBeforeFinishing;
         made->finishingCost = before.finishingCost;
-        made->driving += before.driving;
         made->auditing += before.auditing;
         driven = *std::move(made);
         const double beyond = addLevels(driven.path, work);

@@ -159,11 +159,12 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
                                                              .ordered = **ordered,
                                                              .rooms = cache_.rooms,
                                                              .lands = cache_.lands};
+                                        Stopwatch watch;
                                         auto made = driveStage(task, toBeat, job.part(0.4, 1.0));
-                                        if (made) {
-                                            add(&StageTimings::path, made->driving);
-                                            add(&StageTimings::audit, made->auditing);
-                                        }
+                                        // What was given up before its end was driven, too.
+                                        const Duration auditing = made ? made->auditing : Duration{};
+                                        add(&StageTimings::audit, auditing);
+                                        add(&StageTimings::path, watch.lap() - auditing);
                                         return made;
                                     });
     if (!driven) {

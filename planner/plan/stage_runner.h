@@ -9,14 +9,15 @@
 
 namespace furrow {
 
-/// Wall time of each stage.
+/// Wall time of each stage, of all plans that were compared.
 struct StageTimings {
     Duration headland;
     Duration swaths;
     Duration route;
     Duration path;
     Duration audit;
-    Duration total;
+    Duration proof;  ///< of the order
+    Duration total;  ///< less than their sum where plans were made at once
 };
 
 /// All stages of one request.

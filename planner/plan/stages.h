@@ -86,8 +86,7 @@ struct Driven {
     std::optional<RefillTrips> refill = {};  ///< if refill points are given and the work needs a tank
     Area leftBeforeFinishing;                ///< within reach; none where no finishing passes were needed
     Duration finishingCost;                  ///< what they added to the time for all
-    Duration driving;                        ///< wall time for the path
-    Duration auditing;                       ///< and for its audits
+    Duration auditing;                       ///< wall time for the audits of the path
 };
 
 }  // namespace furrow

@@ -222,6 +222,7 @@ std::string planSummaryJson(const Plan& plan, std::span<const std::string> files
           {"route", milliseconds(plan.timings.route)},
           {"path", milliseconds(plan.timings.path)},
           {"audit", milliseconds(plan.timings.audit)},
+          {"proof", milliseconds(plan.timings.proof)},
           {"total", milliseconds(plan.timings.total)}}},
         {"version", kVersion}};
     if (plan.choices) {

@@ -63,6 +63,7 @@ private slots:
     void plansAreTheSame_data();
     void plansAreTheSame();
     void onlyWhatDependsIsRunAgain_data();
+    void stagesTakeNoLongerThanThePlan();
     void onlyWhatDependsIsRunAgain();
     void cornersThatAreTheSameShareAHeadland();
     void anotherFieldIsNotMixedUp();
@@ -137,6 +138,21 @@ void TestStageCache::onlyWhatDependsIsRunAgain() {
     QCOMPARE(timings.headland > Duration{}, headland);
     QCOMPARE(timings.swaths > Duration{}, swaths);
     QCOMPARE(timings.route > Duration{}, route);
+}
+
+/// On one thread nothing is counted twice.
+void TestStageCache::stagesTakeNoLongerThanThePlan() {
+    const auto plan = makePlan(requestWith({}), {.stop = {}, .progress = {}, .threads = 1});
+    VERIFY_RESULT(plan);
+    const StageTimings& timings = (*plan)->timings;
+    const Duration each[] = {timings.headland, timings.swaths, timings.route,
+                             timings.path,     timings.audit,  timings.proof};
+    Duration sum;
+    for (const Duration one : each) {
+        QVERIFY(one > Duration{});
+        sum += one;
+    }
+    QVERIFY(sum <= timings.total);
 }
 
 /// The quickest kind of corner begins as a rounded one.
