@@ -1,7 +1,6 @@
 #include "planner/geometry/ring_clipping.h"
 
-#include <algorithm>
-#include <utility>
+#include <cstddef>
 
 namespace furrow {
 

@@ -24,7 +24,7 @@ std::span<const PlanChoice> planChoices();
 bool isGiven(const PlanChoice& choice, const Settings& settings);
 
 struct BestPlanTask {
-    PlanRequest request;
+    PlanRequest request;  ///< plans are compared always, whatever it says of that
     /// Ids of choices that stay as the request has them. An order of one's own keeps all choices that its
     /// swaths depend on.
     std::vector<std::string_view> kept;

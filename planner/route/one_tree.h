@@ -33,7 +33,7 @@ struct OneTree {
 
 /// The links that trees are made from. Those of infinite cost are left out.
 struct OneTreeTask {
-    std::size_t swathCount = 0;
+    std::size_t swathCount = 0;  ///< one at the least
     std::span<const UndirectedLink> links;
     std::span<const double> begin;   ///< cost of the depot's way to each end
     std::span<const double> finish;  ///< cost of its way from each end
