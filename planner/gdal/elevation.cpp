@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kFinestM = 1.0;
 constexpr double kMostCells = 1024.0;
+constexpr int kHeightBand = 1;
 
 // Formats that are files of their own and name no others.
 constexpr std::array kHeightDrivers{"GTiff", "AAIGrid", "SRTMHGT", "DTED", static_cast<const char*>(nullptr)};
@@ -52,9 +53,11 @@ RasterDataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const L
     // Cells of the result have their values in their middles.
     const double west = grid.origin.x - 0.5 * grid.cellM;
     const double south = grid.origin.y - 0.5 * grid.cellM;
-    std::array<std::string, 18> words{
+    std::array<std::string, 20> words{
         "-of",
         "MEM",
+        "-b",  // others would be warped, too, each into memory of its own
+        std::to_string(kHeightBand),
         "-ot",
         "Float64",
         "-r",
@@ -72,6 +75,7 @@ RasterDataset warpedOnto(const ElevationGrid& grid, GDALDataset& raster, const L
         std::format("{}", grid.columns),
         std::format("{}", grid.rows)};
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) {
         arguments.push_back(word.data());
     }
