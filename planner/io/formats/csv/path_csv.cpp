@@ -35,6 +35,8 @@ constexpr std::array<std::string_view, kNumbers + 1> kColumns = {
     "order", "segment"};
 // Plans that follow no tank leave it empty, and other programs may leave it out.
 constexpr std::string_view kLevel = "level";
+// Numbers of metres that are larger leave too few digits for shapes.
+constexpr double kFarthestM = 1e6;
 
 class PathTable {
 public:
@@ -63,6 +65,10 @@ public:
             if (!readNumber(cell, value[i])) {
                 return std::unexpected(
                     damagedPlan(place, message("{} is '{}', which is no number", kColumns[i], cell)));
+            }
+            if ((i == kX || i == kY) && std::abs(value[i]) > kFarthestM) {
+                return std::unexpected(damagedPlan(
+                    place, message("{} is '{}', which is more than 1,000 km away", kColumns[i], cell)));
             }
         }
         const std::string_view held = level_ < cells.size() ? cells[level_] : std::string_view{};

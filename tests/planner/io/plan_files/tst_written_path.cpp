@@ -82,6 +82,8 @@ private slots:
         QTest::newRow("cut off") << header + row + "1,0,1" << "line 3: y_m is ''";
         QTest::newRow("NaN") << header + row + "nan,0,1,2,5,52,0,0,2,1,1,swath,0,0,\n"
                              << "line 3: s_m is 'nan'";
+        QTest::newRow("far away") << header + row + "1,1,1,-2e15,5,52,0,0,2,1,1,swath,0,0,\n"
+                                  << "line 3: y_m is '-2e15'";
         QTest::newRow("kind") << header + "0,0,1,2,5,52,0,0,2,1,1,flight,0,0,\n" << "'flight' is no kind";
     }
     void damagedPaths() {
