@@ -104,6 +104,13 @@ std::optional<BestSoFar> with(const BestSoFar& best, std::optional<PlannedStages
     });
 }
 
+/// What finishing passes cost in a plan is known from now on.
+void learnFinishing(BestSoFar& best, const PlannedStages& plan) {
+    if (plan.drivable()) {
+        best.finishing.emplace(plannedCorner(plan.request.settings), finishingCost(*plan.driven));
+    }
+}
+
 const Near& nearOf(const PlannedStages& plan) {
     return plan.ordered->route.steps.size() <= kMostlyHeadland ? kNearWithHeadland : kNearUsually;
 }
@@ -198,17 +205,31 @@ void PlanChooser::tellCompared() {
     }
 }
 
-/// The plan with other settings if it is better as driven, or takes less than `near` times as long.
-/// Cancelled.
-/// @param meanwhile  of plans that are made at once, where only those near the best of them are wanted, too
+/// How another plan is compared with the best one.
+struct PlanChooser::Comparison {
+    double near = 1.0;  ///< it is wanted if it takes no more than so many times as long
+    /// Of plans that are made at once, where only those near the best of them are wanted, too.
+    QuickestMeanwhile* meanwhile = nullptr;
+    /// Of plans with the same headland as the other one.
+    const std::map<std::string, FinishingCost>* finishing = nullptr;
+};
+
+/// The plan with other settings if it is better as driven, or near. Cancelled.
 Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const PlannedStages& best,
-                                                           const PlanRequest& other, double near,
-                                                           QuickestMeanwhile* meanwhile,
+                                                           const PlanRequest& other, Comparison comparison,
                                                            const JobContext& job) {
+    const auto [near, meanwhile, finishing] = comparison;
     PlanToBeat toBeat = planToBeat(other.machine, *best.driven);
     toBeat.time = near * toBeat.time;
     toBeat.meanwhile = meanwhile;
     toBeat.near = near;
+    if (finishing != nullptr) {
+        const auto known = finishing->find(plannedCorner(other.settings));
+        if (known != finishing->end()) {
+            toBeat.finishing = known->second;
+            toBeat.finishing.isAlike = true;
+        }
+    }
     auto plan = runner_.run(other, toBeat, job);
     if (isCancelled(plan)) {
         return std::unexpected(plan.error());
@@ -267,15 +288,16 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
     const bool isFirst = !best.nearCorners;
     const double near = isFirst ? nearOf(best.plan).inOrder : 1.0;
     const std::vector<std::string_view> others = otherCorners(best);
-    const Duration before = timeOf(best.plan);
-    std::vector<std::optional<Duration>> times(others.size());
+    const std::optional<PlannedStages> before = best.plan;
+    std::vector<std::optional<PlannedStages>> plans(others.size());
     QuickestMeanwhile meanwhile;
     const auto withCorner = [&](std::size_t i, const JobContext& piece) -> Result<std::optional<BestSoFar>> {
         PlanRequest request = best.plan.request;
         request.settings.set(kHeadlandCorner, std::string{others[i]}).value();
-        auto plan = nearPlan(best.plan, request, near, &meanwhile, piece);
+        auto plan = nearPlan(best.plan, request,
+                             {.near = near, .meanwhile = &meanwhile, .finishing = &best.finishing}, piece);
         return std::move(plan).transform([&](std::optional<PlannedStages>&& made) {
-            times[i] = made.transform(timeOf);
+            plans[i] = made;
             return with(best, std::move(made)).transform([&](BestSoFar&& other) {
                 note(other.instead, kHeadlandCorner, others[i]);
                 return std::move(other);
@@ -290,10 +312,11 @@ Result<void> PlanChooser::tryCorners(BestSoFar& best, const JobContext& job) {
         best.nearCorners.emplace();
         for (const std::string_view kind : cornerKinds(best.asked.machine)) {
             const auto other = std::ranges::find(others, kind);
-            const auto time =
-                other == others.end() ? before : times[static_cast<std::size_t>(other - others.begin())];
-            if (time && *time <= most) {
+            const auto& plan =
+                other == others.end() ? before : plans[static_cast<std::size_t>(other - others.begin())];
+            if (plan && timeOf(*plan) <= most) {
                 best.nearCorners->push_back(kind);
+                learnFinishing(best, *plan);
             }
         }
     }
@@ -314,16 +337,19 @@ Result<std::vector<std::string_view>> patternsToTry(const PlannedStages& plan, c
     const RouteCosts costs{task};
     const double nearS =
         costs.links().of(endOrder(taken.steps)) + kNearPattern * plan.driven->path.duration().si();
+    // Of few swaths several patterns are the same order.
+    std::vector<Route> known{taken};
     for (const Method<RoutePlanner>* const pattern : routePatterns()) {
         if (!pattern->traits.isPlain && taken.steps.size() > kFewSwaths) {
             continue;
         }
-        const auto route = pattern->run(task, job);
+        auto route = pattern->run(task, job);
         if (!route) {
             return std::unexpected(route.error());
         }
-        if (*route != taken && costs.links().of(endOrder(route->steps)) <= nearS) {
+        if (!std::ranges::contains(known, *route) && costs.links().of(endOrder(route->steps)) <= nearS) {
             ids.push_back(pattern->info.id);
+            known.push_back(*std::move(route));
         }
     }
     return ids;
@@ -361,9 +387,11 @@ Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, con
     // An order that gets other corners may be slower before.
     const bool hasItsCorners = otherCorners(best).empty();
     const bool isBehind = rival != nullptr && isBetter(*rival, best.plan);
-    auto plan =
-        nearPlan(isBehind ? *rival : best.plan, request, hasItsCorners ? 1.0 : nearOf(best.plan).inOrder,
-                 hasItsCorners ? &meanwhile : nullptr, job.part(0.0, kItself));
+    auto plan = nearPlan(isBehind ? *rival : best.plan, request,
+                         {.near = hasItsCorners ? 1.0 : nearOf(best.plan).inOrder,
+                          .meanwhile = hasItsCorners ? &meanwhile : nullptr,
+                          .finishing = &best.finishing},
+                         job.part(0.0, kItself));
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
     }
@@ -376,10 +404,11 @@ Result<std::optional<BestSoFar>> PlanChooser::inOrder(const BestSoFar& best, con
 
 Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked,
                                                       const JobContext& job) {
-    return changed(best, asked, nullptr, job);
+    return changed(best, asked, {.near = nearOf(best.plan).inHeading}, nullptr, job);
 }
 
 Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, const PlanRequest& asked,
+                                                      const Comparison& comparison,
                                                       const PlannedStages* rival, const JobContext& job) {
     PlanRequest request = asked;
     const std::string corner = best.plan.request.settings.choice(kHeadlandCorner);
@@ -387,12 +416,12 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     if (isByTime) {
         request.settings.set(kHeadlandCorner, corner).value();
     }
-    auto plan = nearPlan(best.plan, request, nearOf(best.plan).inHeading, nullptr, job.part(0.0, kItself));
+    auto plan = nearPlan(best.plan, request, comparison, job.part(0.0, kItself));
     if (plan && !*plan && isByTime && plannedCorner(best.plan.request.settings) != kRoundedCorner) {
         // Corners that are driven into may block with this change.
         request.settings.set(kHeadlandCorner, std::string{kRoundedCorner}).value();
         expect(1);
-        plan = nearPlan(best.plan, request, nearOf(best.plan).inHeading, nullptr, job.withoutProgress());
+        plan = nearPlan(best.plan, request, comparison, job.withoutProgress());
     }
     if (!plan || !*plan) {
         return plan.transform([](auto&&) { return std::optional<BestSoFar>{}; });
@@ -402,7 +431,9 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     forget(other.instead, *stageMethod("route"));
     if (other.plan.laidOut.headland->mainland != best.plan.laidOut.headland->mainland) {
         other.nearCorners.reset();
+        other.finishing.clear();
     }
+    learnFinishing(other, other.plan);
     return decideOrderAndCorners(other, rival, job.part(kItself, 1.0)).transform([&] {
         return std::optional{std::move(other)};
     });
@@ -413,7 +444,8 @@ Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best
                                                            const HeadingCandidate& candidate,
                                                            const JobContext& job) {
     // Along this heading nothing is wanted that is no better.
-    auto other = changed(best, along(best.asked, candidate.heading), &best.plan, job);
+    const Comparison comparison{.near = nearOf(best.plan).inHeading, .finishing = &best.finishing};
+    auto other = changed(best, along(best.asked, candidate.heading), comparison, &best.plan, job);
     if (other && *other) {
         (*other)->asked = best.asked;
         if (isBetter((*other)->plan, best.plan)) {
@@ -439,6 +471,7 @@ Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobCon
     if (!isCompared(*asked)) {
         return best;
     }
+    learnFinishing(best, *asked);
     const bool isTooLarge = isTooLargeToCompare(*asked);
     if (isTooLarge) {
         best.notes.push_back(

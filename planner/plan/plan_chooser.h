@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,6 +24,9 @@ struct BestSoFar {
     /// Kinds of corner that may be the quickest with this headland: all until they are compared, then those
     /// that came near. Another order or heading hardly changes what a corner costs.
     std::optional<std::vector<std::string_view>> nearCorners = {};
+    /// What finishing passes cost with this headland, by the kind of corner. An order or heading hardly
+    /// changes it.
+    std::map<std::string, FinishingCost> finishing = {};
 };
 
 /// The time in which plans are compared.
@@ -78,13 +83,14 @@ public:
                                              const JobContext& job);
 
 private:
+    struct Comparison;
     Result<std::optional<BestSoFar>> changed(const BestSoFar& best, const PlanRequest& asked,
-                                             const PlannedStages* rival, const JobContext& job);
+                                             const Comparison& comparison, const PlannedStages* rival,
+                                             const JobContext& job);
     template <class Make>
     Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make, const JobContext& job);
     Result<std::optional<PlannedStages>> nearPlan(const PlannedStages& best, const PlanRequest& other,
-                                                  double near, QuickestMeanwhile* meanwhile,
-                                                  const JobContext& job);
+                                                  Comparison comparison, const JobContext& job);
     Result<void> tryCorners(BestSoFar& best, const JobContext& job);
     Result<void> decideOrderAndCorners(BestSoFar& best, const PlannedStages* rival, const JobContext& job);
     Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, const PlannedStages* rival,

@@ -29,12 +29,21 @@ private:
     std::atomic<double> seconds_{std::numeric_limits<double>::infinity()};
 };
 
+/// What finishing passes added to the time for all of a plan. Land that they work does not cost its own time
+/// any more.
+struct FinishingCost {
+    Duration added;
+    Area left;             ///< land within reach that was left before
+    bool isAlike = false;  ///< of a plan with the same headland and corners
+};
+
+FinishingCost finishingCost(const Driven& driven);
+
 /// The best plan so far. Another one beats it with fewer blocking findings, or with as many in less time.
 struct PlanToBeat {
     std::ptrdiff_t blocking = 0;  ///< findings
     Duration time;                ///< for all
-    Duration finishing;           ///< added by finishing passes, less the time for the land that they work
-    Area left;                    ///< land within reach that was left before the finishing passes
+    FinishingCost finishing;      ///< of this plan, or of one that is more like the other one
     const QuickestMeanwhile* meanwhile = nullptr;  ///< of plans that are made at the same time
     double near = 1.0;  ///< a plan that takes so many times as long as the quickest meanwhile is wanted, too
 
@@ -63,8 +72,9 @@ std::pair<std::ptrdiff_t, std::ptrdiff_t> problems(std::span<const Finding> find
 /// Whether a plan with this path may beat another one. Land that it misses is counted as worked separately.
 bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driven);
 
-/// The same before finishing passes. For equal land they are taken to cost at least a quarter of what they
-/// cost in the plan to beat. With that, this plan may be slower by 1 %.
+/// The same before finishing passes. For equal land they are taken to cost at least a quarter of what is
+/// known of another plan, with the same headland and corners four fifths. With that, this plan may be slower
+/// by 1 %.
 bool mayBeatFinished(const PlanToBeat& other, const Machine& machine, const Driven& unfinished);
 
 }  // namespace furrow

@@ -77,7 +77,6 @@ private slots:
         const PlanToBeat toBeat{.blocking = blocking,
                                 .time = seconds(1000.0),
                                 .finishing = {},
-                                .left = {},
                                 .meanwhile = meanwhileS > 0.0 ? &meanwhile : nullptr,
                                 .near = near};
         QTEST(toBeat.isLostAfter(seconds(durationS)), "isLost");
@@ -111,7 +110,7 @@ private slots:
     }
 
     void whatBlocksComesBeforeTime() {
-        const PlanToBeat other{.blocking = 1, .time = seconds(1000.0), .finishing = {}, .left = {}};
+        const PlanToBeat other{.blocking = 1, .time = seconds(1000.0), .finishing = {}};
         QVERIFY(mayBeat(other, agbot(), driven(2000.0, {})));
         QVERIFY(mayBeat(other, agbot(), driven(2000.0, {}, {blocking(FindingKind::Missed)})));
         QVERIFY(!mayBeat(other, agbot(), driven(1001.0, {}, {blocking(FindingKind::Outside)})));
@@ -120,19 +119,32 @@ private slots:
                          driven(1.0, {}, {blocking(FindingKind::Outside), blocking(FindingKind::Obstacle)})));
     }
 
-    void finishingIsExpectedToCostAQuarterOfWhatItCost() {
-        // The other plan took 400 s beyond the working of its 250 m².
-        const PlanToBeat other{
-            .blocking = 0, .time = seconds(10000.0), .finishing = seconds(400.0), .left = kPatch};
+    void finishingIsExpectedToCostAShareOfWhatItCost_data() {
+        QTest::addColumn<bool>("isAlike");
+        QTest::addColumn<double>("expectedS");
+        // The known plan took 400 s beyond the working of its 250 m².
+        QTest::newRow("a quarter") << false << 100.0;
+        QTest::newRow("four fifths with the same headland and corners") << true << 320.0;
+    }
+    void finishingIsExpectedToCostAShareOfWhatItCost() {
+        QFETCH(const bool, isAlike);
+        QFETCH(const double, expectedS);
+        const PlanToBeat other{.blocking = 0,
+                               .time = seconds(10000.0),
+                               .finishing = {.added = seconds(400.0), .left = kPatch, .isAlike = isAlike}};
         const double workingS = workingTime(kPatch).si();
-        // With as much land: 100 s more than by itself, and 1 % is within the error of the estimate.
-        QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - 100.0 - workingS, kPatch)));
-        QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - 100.0 - workingS, kPatch)));
+        // With as much land: more than by itself, and 1 % is within the error of the estimate.
+        QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - expectedS - workingS, kPatch)));
+        QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - expectedS - workingS, kPatch)));
         // With twice as much.
-        QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - 200.0 - 2.0 * workingS, 2.0 * kPatch)));
-        QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - 200.0 - 2.0 * workingS, 2.0 * kPatch)));
-        // A plan that needed no finishing says nothing of their cost.
-        const PlanToBeat without{.blocking = 0, .time = seconds(10000.0), .finishing = {}, .left = {}};
+        const double twiceS = 2.0 * (expectedS + workingS);
+        QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - twiceS, 2.0 * kPatch)));
+        QVERIFY(!mayBeatFinished(other, agbot(), driven(10101.0 - twiceS, 2.0 * kPatch)));
+    }
+
+    void aPlanWithoutFinishingSaysNothingOfItsCost() {
+        const PlanToBeat without{.blocking = 0, .time = seconds(10000.0), .finishing = {}};
+        const double workingS = workingTime(kPatch).si();
         QVERIFY(mayBeatFinished(without, agbot(), driven(10099.0 - workingS, kPatch)));
         QVERIFY(!mayBeatFinished(without, agbot(), driven(10101.0 - workingS, kPatch)));
     }
