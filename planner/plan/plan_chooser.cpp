@@ -216,7 +216,8 @@ struct PlanChooser::Comparison {
 
 /// The plan with other settings if it is better as driven, or near. Cancelled.
 Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const PlannedStages& best,
-                                                           const PlanRequest& other, Comparison comparison,
+                                                           const PlanRequest& other,
+                                                           const Comparison& comparison,
                                                            const JobContext& job) {
     const auto [near, meanwhile, finishing] = comparison;
     PlanToBeat toBeat = planToBeat(other.machine, *best.driven);

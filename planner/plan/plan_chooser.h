@@ -90,7 +90,7 @@ private:
     template <class Make>
     Result<void> takeBest(BestSoFar& best, std::size_t count, const Make& make, const JobContext& job);
     Result<std::optional<PlannedStages>> nearPlan(const PlannedStages& best, const PlanRequest& other,
-                                                  Comparison comparison, const JobContext& job);
+                                                  const Comparison& comparison, const JobContext& job);
     Result<void> tryCorners(BestSoFar& best, const JobContext& job);
     Result<void> decideOrderAndCorners(BestSoFar& best, const PlannedStages* rival, const JobContext& job);
     Result<std::optional<BestSoFar>> inOrder(const BestSoFar& best, const PlannedStages* rival,

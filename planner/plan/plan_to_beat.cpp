@@ -12,7 +12,7 @@ constexpr double kNear = 1.01;
 constexpr std::ptrdiff_t kMostBlocked = 25;
 // Corners that are worked before need far fewer passes for as much land.
 constexpr double kSurely = 0.25;
-// With the same corners in another order, or along another heading, they cost 0.8 to 1.2 times as much.
+// With the same corners in another order, or along another heading, they rarely cost less.
 constexpr double kSurelyIfAlike = 0.8;
 
 }  // namespace

@@ -63,8 +63,8 @@ private slots:
     void plansAreTheSame_data();
     void plansAreTheSame();
     void onlyWhatDependsIsRunAgain_data();
-    void stagesTakeNoLongerThanThePlan();
     void onlyWhatDependsIsRunAgain();
+    void stagesTakeNoLongerThanThePlan();
     void cornersThatAreTheSameShareAHeadland();
     void anotherFieldIsNotMixedUp();
     void readsOfInnerStagesCount();
