@@ -150,10 +150,10 @@ Result<std::shared_ptr<const Plan>> makePlan(const PlanRequest& request, const J
     // What is tried beside may tell of itself what its step has told before.
     SharedProgress rising{1, job};
     const JobContext part = rising.piece(0);
-    const bool isCompared = !request.draft;
+    const bool isWhole = !request.draft;
     const auto choice =
-        quickestChoice(request, runner, part.part(0.0, isCompared ? kChosen : 1.0),
-                       isCompared ? choosingCourse(request, runner, watch, course) : ChoosingCourse{});
+        quickestChoice(request, runner, part.part(0.0, isWhole ? kChosen : 1.0),
+                       isWhole ? choosingCourse(request, runner, watch, course) : ChoosingCourse{});
     if (!choice) {
         return std::unexpected(choice.error());
     }

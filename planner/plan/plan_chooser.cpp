@@ -228,7 +228,7 @@ Result<std::optional<PlannedStages>> PlanChooser::nearPlan(const PlannedStages& 
         const auto known = finishing->find(plannedCorner(other.settings));
         if (known != finishing->end()) {
             toBeat.finishing = known->second;
-            toBeat.finishing.isAlike = true;
+            toBeat.finishesAlike = true;
         }
     }
     auto plan = runner_.run(other, toBeat, job);

@@ -60,7 +60,7 @@ bool mayBeat(const PlanToBeat& other, const Machine& machine, const Driven& driv
 bool mayBeatFinished(const PlanToBeat& other, const Machine& machine, const Driven& unfinished) {
     const FinishingCost& known = other.finishing;
     const double share = known.left > Area{} ? unfinished.audit.left / known.left : 0.0;
-    const Duration least = (known.isAlike ? kSurelyIfAlike : kSurely) * share * known.added;
+    const Duration least = (other.finishesAlike ? kSurelyIfAlike : kSurely) * share * known.added;
     return lastingCount(unfinished.findings) < other.blocking ||
            timeForAll(machine, unfinished.path, unfinished.audit) + least <= kNear * other.time;
 }

@@ -33,8 +33,7 @@ private:
 /// any more.
 struct FinishingCost {
     Duration added;
-    Area left;             ///< land within reach that was left before
-    bool isAlike = false;  ///< of a plan with the same headland and corners
+    Area left;  ///< land within reach that was left before
 };
 
 FinishingCost finishingCost(const Driven& driven);
@@ -44,6 +43,7 @@ struct PlanToBeat {
     std::ptrdiff_t blocking = 0;  ///< findings
     Duration time;                ///< for all
     FinishingCost finishing;      ///< of this plan, or of one that is more like the other one
+    bool finishesAlike = false;   ///< that one has the headland and the corners of the other one
     const QuickestMeanwhile* meanwhile = nullptr;  ///< of plans that are made at the same time
     double near = 1.0;  ///< a plan that takes so many times as long as the quickest meanwhile is wanted, too
 

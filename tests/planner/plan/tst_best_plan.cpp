@@ -65,6 +65,7 @@ private slots:
     void mendsAPlanThatCannotBeDriven();
     void tellsEachBetterPlan();
     void sameOnAnyNumberOfThreads();
+    void plansAreComparedWhateverIsSet();
     void cancelled();
 };
 
@@ -236,6 +237,20 @@ void TestBestPlan::sameOnAnyNumberOfThreads() {
     VERIFY_RESULT(four);
     QVERIFY((*one)->path == (*four)->path);
     QCOMPARE((*one)->choices->tried.size(), (*four)->choices->tried.size());
+}
+
+// Who asks for the best plan does not want fewer plans to be looked at.
+void TestBestPlan::plansAreComparedWhateverIsSet() {
+    const auto best = [](const Given& given) {
+        return bestPlan(
+            {.request = requestOf(sample("bend"), "cultivator", given), .kept = {}, .onBetter = {}});
+    };
+    const auto always = best({});
+    const auto blocked = best({{"route.compare", "blocked"}});
+    VERIFY_RESULT(always);
+    VERIFY_RESULT(blocked);
+    QVERIFY((*always)->path == (*blocked)->path);
+    QCOMPARE((*always)->choices->asked.si(), (*blocked)->choices->asked.si());
 }
 
 void TestBestPlan::cancelled() {

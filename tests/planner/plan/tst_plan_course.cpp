@@ -7,6 +7,8 @@
 #include "planner/plan/draft.h"
 #include "planner/plan/method_registry.h"
 #include "planner/plan/plan_course.h"
+#include "planner/route/patterns.h"
+#include "tests/support/field_generator.h"
 #include "tests/support/result_check.h"
 #include "tests/support/test_program.h"
 
@@ -182,6 +184,52 @@ private slots:
             // Nothing is given up for speed where the plan needs it.
             QVERIFY((*plan)->path == (*always)->path);
         }
+    }
+
+    // Of few swaths several patterns are the same order. Nothing but the order is left to the planner here.
+    void equalOrdersAreDrivenOnce_data() {
+        QTest::addColumn<int>("swaths");
+        for (const int swaths : {2, 4, 6, 10}) {
+            QTest::addRow("%d swaths", swaths) << swaths;
+        }
+    }
+    void equalOrdersAreDrivenOnce() {
+        QFETCH(const int, swaths);
+        const Machine machine = findMachine("cultivator").value();
+        const double heightM = 2.0 * 24.0 + (swaths - 0.01) * machine.operatingWidth().si();
+        PlanRequest request{
+            .field = std::make_shared<const Field>(
+                Field::create(test::fieldSourceFromLocal({test::rectangle(200.0, heightM)}, {9.0, 51.0}))
+                    .value()),
+            .machine = machine,
+            .settings = {}};
+        for (const auto& [key, value] : {std::pair{"headland.width_m", "24"},
+                                         {"headland.corner", "rounded"},
+                                         {"swaths.method", "fixed"},
+                                         {"swaths.angle_deg", "0"}}) {
+            VERIFY_RESULT(applySetting(request.settings, key, value));
+        }
+        std::atomic<std::size_t> compared = 0;
+        const auto plan =
+            makePlan(request, {}, nullptr,
+                     {.firstPlan = {}, .compared = [&](std::size_t, std::size_t) { ++compared; }});
+        VERIFY_RESULT(plan);
+        QCOMPARE((*plan)->route.steps.size(), static_cast<std::size_t>(swaths));
+        VERIFY_RESULT(applySetting(request.settings, "route.compare", "blocked"));
+        std::vector<Route> orders;
+        const auto addOrder = [&] {
+            const auto asked = makePlan(request);
+            VERIFY_RESULT(asked);
+            if (!std::ranges::contains(orders, (*asked)->route)) {
+                orders.push_back((*asked)->route);
+            }
+        };
+        addOrder();
+        for (const auto* const pattern : routePatterns()) {
+            VERIFY_RESULT(applySetting(request.settings, "route.method", std::string{pattern->info.id}));
+            addOrder();
+        }
+        QVERIFY(compared < orders.size());
     }
 
     void aDraftTellsNoFirstPlan() {

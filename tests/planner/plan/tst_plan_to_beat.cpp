@@ -120,18 +120,19 @@ private slots:
     }
 
     void finishingIsExpectedToCostAShareOfWhatItCost_data() {
-        QTest::addColumn<bool>("isAlike");
+        QTest::addColumn<bool>("finishesAlike");
         QTest::addColumn<double>("expectedS");
         // The known plan took 400 s beyond the working of its 250 m².
         QTest::newRow("a quarter") << false << 100.0;
         QTest::newRow("four fifths with the same headland and corners") << true << 320.0;
     }
     void finishingIsExpectedToCostAShareOfWhatItCost() {
-        QFETCH(const bool, isAlike);
+        QFETCH(const bool, finishesAlike);
         QFETCH(const double, expectedS);
         const PlanToBeat other{.blocking = 0,
                                .time = seconds(10000.0),
-                               .finishing = {.added = seconds(400.0), .left = kPatch, .isAlike = isAlike}};
+                               .finishing = {.added = seconds(400.0), .left = kPatch},
+                               .finishesAlike = finishesAlike};
         const double workingS = workingTime(kPatch).si();
         // With as much land: more than by itself, and 1 % is within the error of the estimate.
         QVERIFY(mayBeatFinished(other, agbot(), driven(10099.0 - expectedS - workingS, kPatch)));
