@@ -38,7 +38,8 @@ constexpr double kBesidePieceM = 0.5;
 constexpr double kSamePassShare = 0.15;
 // Distances of a pass from its flush position beside an edge, as shares of the width.
 constexpr std::array kAside{0.0, 0.04, 0.1, 0.2, 0.4};
-// Passes over a piece: number of headings, and distance between neighbours as a share of the width.
+// Passes over a piece: number of headings, and distance between neighbours as a share of the width. Twice as
+// fine where what is left blocks the plan.
 constexpr int kHeadings = 24;
 constexpr double kStepShare = 0.125;
 // A hundred times what large fields take.
@@ -178,9 +179,12 @@ bool FinishingLanes::isSpent() const {
 }
 
 double FinishingLanes::leastGainM2() const {
-    return std::clamp(kLeastGainOfStay * task_.mayStay.si(), kSmallestGainShare * widthM_ * widthM_,
-                      kLeastGainShare * widthM_ * widthM_);
+    const double smallest = kSmallestGainShare * widthM_ * widthM_;
+    return task_.untilTheLeast ? smallest
+                               : std::clamp(kLeastGainOfStay * task_.mayStay.si(), smallest,
+                                            kLeastGainShare * widthM_ * widthM_);
 }
+
 bool FinishingLanes::isRefused(const Curve& line) const {
     const auto isClose = [&](const Pose& a, const Pose& b) {
         return distance(a.position, b.position) < kSamePassShare * widthM_;
@@ -212,14 +216,15 @@ std::vector<FinishingLane> FinishingLanes::beside(const Polygon& piece) const {
 
 std::vector<FinishingLane> FinishingLanes::across(const Polygon& piece) const {
     std::vector<FinishingLane> lanes;
-    for (int i = 0; i < kHeadings && !isSpent(); ++i) {
-        const Point along = direction(2.0 * std::numbers::pi * i / kHeadings);
+    const int headings = task_.untilTheLeast ? 2 * kHeadings : kHeadings;
+    const double stepM = (task_.untilTheLeast ? 0.5 : 1.0) * kStepShare * widthM_;
+    for (int i = 0; i < headings && !isSpent(); ++i) {
+        const Point along = direction(2.0 * std::numbers::pi * i / headings);
         const Point side{-along.y, along.x};
         const auto [right, left] = std::ranges::minmax(piece.outer | std::views::transform([&](Point point) {
                                                            return dot(side, point - piece.outer.front());
                                                        }));
-        for (double asideM = right - 0.5 * widthM_ + kStepShare * widthM_; asideM < left + 0.5 * widthM_;
-             asideM += kStepShare * widthM_) {
+        for (double asideM = right - 0.5 * widthM_ + stepM; asideM < left + 0.5 * widthM_; asideM += stepM) {
             addLane(piece, piece.outer.front() + asideM * side, along, 0.0, lanes);
         }
     }

@@ -26,6 +26,8 @@ struct FinishingTask {
     std::span<const Polygon> leftOnPurpose = {};  ///< no pass works any of it
     std::span<const PassStretch> refused = {};    ///< no way in or out; left out, with nearly equal ones
     std::size_t most = kMostFinishingPasses;      ///< passes
+    /// What is left blocks the plan: passes that gain little are wanted, too, and are searched more finely.
+    bool untilTheLeast = false;
 };
 
 /// Short straight passes over the land left at corners and between other passes. Each runs along an edge or

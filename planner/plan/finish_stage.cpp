@@ -1,6 +1,7 @@
 #include "planner/plan/finish_stage.h"
 
 #include "planner/geometry/geos_bridge.h"
+#include "planner/geometry/segment.h"
 #include "planner/geometry/tolerances.h"
 #include "planner/headland/finishing_passes.h"
 #include "planner/headland/headland_passes.h"
@@ -24,9 +25,11 @@ namespace {
 // plan.
 constexpr double kMayStayShare = 0.009;
 constexpr Area kMayStayInOnePiece = squareMetres(95.0);
-constexpr int kFinishingRounds = 6;
+constexpr int kFinishingRounds = 10;
 // A driven line begins within this distance of its pass: steering moves it a little.
 constexpr double kSteeredAsideM = 0.5;
+// Passes that as driven work no more than this together are taken out again.
+constexpr Area kWorksNothing = squareMetres(0.1);
 
 /// Ways and passes that leave where the machine may be.
 std::ptrdiff_t outsideIn(const Driven& driven) {
@@ -41,8 +44,12 @@ bool leavesTooMuch(const Driven& driven) {
 std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<HeadlandPass>& passes) {
     std::vector<HeadlandPass> outside;
     const auto begins = [](const PathSegment* segment, const HeadlandPass& pass) {
-        return segment != nullptr && distance(segment->samples.front().position,
-                                              pass.stretches.front().line.start.position) < kSteeredAsideM;
+        const auto isFirst = [&](Point end) {
+            return distance(segment->samples.front().position, end) < kSteeredAsideM;
+        };
+        // A pass may be driven either way.
+        const Curve& line = pass.stretches.front().line;
+        return segment != nullptr && (isFirst(line.start.position) || isFirst(line.end().position));
     };
     for (const HeadlandPass& pass : passes) {
         const auto isOutside = [&](std::size_t i) {
@@ -56,6 +63,49 @@ std::vector<HeadlandPass> leadingOutside(const Path& path, const std::vector<Hea
         }
     }
     return outside;
+}
+
+/// What blocks a plan, other than land that is left, and did not block it without some passes.
+std::vector<Point> newlyBlockedPlaces(const Driven& with, const Driven& without) {
+    std::vector<Point> places;
+    for (const Finding& finding : with.findings) {
+        const auto isSame = [&](const Finding& other) {
+            return other.kind == finding.kind && distance(other.place, finding.place) < kSteeredAsideM;
+        };
+        if (isBlocking(finding) && finding.kind != FindingKind::Missed &&
+            std::ranges::none_of(without.findings, isSame)) {
+            places.push_back(finding.place);
+        }
+    }
+    return places;
+}
+
+/// The pass nearest to each of these places.
+std::vector<HeadlandPass> nearestTo(const std::vector<Point>& places,
+                                    const std::vector<HeadlandPass>& passes) {
+    std::vector<HeadlandPass> nearest;
+    for (const Point place : places) {
+        const auto fromPlaceM = [&](const HeadlandPass& pass) {
+            const Curve& line = pass.stretches.front().line;
+            return distanceToSegment(place, line.start.position, line.end().position);
+        };
+        nearest.push_back(*std::ranges::min_element(passes, {}, fromPlaceM));
+    }
+    return nearest;
+}
+
+/// Whether more is blocked with some passes than without.
+bool isWorse(const Driven& with, const Driven& without) {
+    return blockingCount(with.findings) > blockingCount(without.findings) ||
+           lastingCount(with.findings) > lastingCount(without.findings) ||
+           outsideIn(with) > outsideIn(without);
+}
+
+/// The passes because of which a plan is worse with all of them, if it can be told.
+std::vector<HeadlandPass> toBlame(const Driven& with, const Driven& without,
+                                  const std::vector<HeadlandPass>& passes) {
+    std::vector<HeadlandPass> outside = leadingOutside(with.path, passes);
+    return outside.empty() ? nearestTo(newlyBlockedPlaces(with, without), passes) : outside;
 }
 
 /// Beside obstacles that swaths stop short of, too, where there is no headland; and beside the boundary if
@@ -130,6 +180,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     }
     std::vector<PassStretch> refused;
     const auto refuse = [&refused](const HeadlandPass& pass) { refused.push_back(pass.stretches.front()); };
+    bool untilTheLeast = false;  // once the passes that work much are there, or there are none
     for (int round = 0; round < kFinishingRounds && leavesTooMuch(driven); ++round) {
         const JobContext part =
             job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
@@ -142,7 +193,8 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
                                              .bends = *bends ? &**bends : nullptr,
                                              .leftOnPurpose = driven.leftOnPurpose,
                                              .refused = refused,
-                                             .most = kMostFinishingPasses - driven.finishing.size()},
+                                             .most = kMostFinishingPasses - driven.finishing.size(),
+                                             .untilTheLeast = untilTheLeast},
                                             part.part(0.0, 0.2));
         if (!passes) {
             return std::unexpected(passes.error());
@@ -157,7 +209,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         std::ranges::for_each(more.refused, refuse);
         if (more.put.empty()) {
-            if (more.refused.empty()) {
+            if (more.refused.empty() && std::exchange(untilTheLeast, true)) {
                 break;
             }
             continue;
@@ -169,19 +221,22 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
             return finished;
         }
         finished->auditing += driven.auditing;
-        if (blockingCount(finished->findings) > blockingCount(driven.findings) ||
-            lastingCount(finished->findings) > lastingCount(driven.findings) ||
-            outsideIn(*finished) > outsideIn(driven)) {
-            const std::vector<HeadlandPass> outside = leadingOutside(finished->path, more.put);
-            if (outside.empty()) {
+        if (isWorse(*finished, driven)) {
+            const std::vector<HeadlandPass> blamed = toBlame(*finished, driven, more.put);
+            if (blamed.empty()) {
                 break;
             }
-            std::ranges::for_each(outside, refuse);
+            std::ranges::for_each(blamed, refuse);
+            continue;
+        }
+        if (leavesTooMuch(*finished) && finished->audit.left > driven.audit.left - kWorksNothing) {
+            std::ranges::for_each(more.put, refuse);
             continue;
         }
         driven = *std::move(finished);
         legs = std::move(more.legs);
         ends = endsOf(legs);
+        untilTheLeast = true;
     }
     driven.leftBeforeFinishing = left;
     driven.finishingCost = timeOf(driven) - before;

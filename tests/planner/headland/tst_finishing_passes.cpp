@@ -50,13 +50,14 @@ Polygon worked(const HeadlandPass& pass, const Machine& machine = agbot()) {
 
 Result<std::vector<HeadlandPass>> passesOver(const MultiPolygon& left, const MultiPolygon& field,
                                              Area mayStay, const JobContext& job = {},
-                                             const Machine& machine = agbot()) {
+                                             const Machine& machine = agbot(), bool untilTheLeast = false) {
     const Rig lowered{field, machine, ImplementAt::Lowered};
     return finishingPasses({.workable = field,
                             .left = left,
                             .mayStay = mayStay,
                             .mayStayInOnePiece = squareMetres(95.0),
-                            .lowered = lowered},
+                            .lowered = lowered,
+                            .untilTheLeast = untilTheLeast},
                            job);
 }
 
@@ -79,10 +80,18 @@ private slots:
         const MultiPolygon field{test::rectangle(60.0, 40.0)};
         MultiPolygon strewn;
         for (int i = 0; i < 15; ++i) {
-            strewn.push_back(squareAt({5.0 + 11.0 * (i % 5) + 3.0 * (i / 5), 5.0 + 13.0 * (i / 5)}, 0.35));
+            const int row = i / 5;
+            strewn.push_back(squareAt({5.0 + 11.0 * (i % 5) + 3.0 * row, 5.0 + 13.0 * row}, 0.35));
         }
         QVERIFY(passesOver(strewn, field, squareMetres(1.3)).value().empty());
         QVERIFY(!passesOver(strewn, field, squareMetres(1.1)).value().empty());
+        // Where the rest blocks the plan, they are worth it.
+        const auto passes = passesOver(strewn, field, squareMetres(1.3), {}, agbot(), true);
+        VERIFY_RESULT(passes);
+        MultiPolygon swept;
+        std::ranges::transform(*passes, std::back_inserter(swept),
+                               [](const auto& pass) { return worked(pass); });
+        QCOMPARE_LE(area(difference(strewn, unionOf(swept, {}).value(), {}).value()).si(), 1.3);
     }
 
     /// 150 pieces of 2.4 m, far apart, each worth a pass.
@@ -92,7 +101,8 @@ private slots:
         const MultiPolygon field{test::rectangle(310.0, 210.0)};
         MultiPolygon strewn;
         for (int i = 0; i < kPieces; ++i) {
-            strewn.push_back(squareAt({10.0 + 20.0 * (i % 15), 10.0 + 20.0 * (i / 15)}, 2.4));
+            const int row = i / 15;
+            strewn.push_back(squareAt({10.0 + 20.0 * (i % 15), 10.0 + 20.0 * row}, 2.4));
         }
         const Rig lowered{field, agbot(), ImplementAt::Lowered};
         const auto passes = finishingPasses({.workable = field,
