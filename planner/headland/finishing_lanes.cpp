@@ -179,10 +179,12 @@ bool FinishingLanes::isSpent() const {
 }
 
 double FinishingLanes::leastGainM2() const {
-    const double smallest = kSmallestGainShare * widthM_ * widthM_;
-    return task_.untilTheLeast ? smallest
-                               : std::clamp(kLeastGainOfStay * task_.mayStay.si(), smallest,
-                                            kLeastGainShare * widthM_ * widthM_);
+    return task_.untilTheLeast ? kSmallestGainShare * widthM_ * widthM_ : leastGainOfBendM2();
+}
+
+double FinishingLanes::leastGainOfBendM2() const {
+    return std::clamp(kLeastGainOfStay * task_.mayStay.si(), kSmallestGainShare * widthM_ * widthM_,
+                      kLeastGainShare * widthM_ * widthM_);
 }
 
 bool FinishingLanes::isRefused(const Curve& line) const {

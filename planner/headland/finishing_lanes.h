@@ -76,8 +76,9 @@ public:
     /// Whether so much was looked at that the rest of the land is not worth more: on outlines of a thousand
     /// teeth every pass is beside every other one. Counted, not timed, so that plans stay the same.
     bool isSpent() const;
-    /// The least gain worth lowering the implement for.
+    /// The least gain worth lowering the implement for, and worth the search for a bend.
     double leastGainM2() const;
+    double leastGainOfBendM2() const;
     /// Whether nearly the same pass was refused before.
     bool isRefused(const Curve& line) const;
 

@@ -101,7 +101,7 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
     };
     const auto isRefused = [&](const Curve& line) { return finder.isRefused(line); };
     const auto isOfUse = [&](const LeftLand::Piece& piece, Area inAll) {
-        return piece.area.si() >= finder.leastGainM2() &&
+        return piece.area.si() >= finder.leastGainOfBendM2() &&
                (inAll > task.mayStay || piece.area > task.mayStayInOnePiece);
     };
     // Those that are tried even if every pass works the whole of its piece.
@@ -140,7 +140,7 @@ Result<void> chooseBends(const FinishingLanes& finder, const FinishingTask& task
         if (!after) {
             return std::unexpected(after.error());
         }
-        if ((chosen.left.inAll() - after->inAll).si() < finder.leastGainM2()) {
+        if ((chosen.left.inAll() - after->inAll).si() < finder.leastGainOfBendM2()) {
             continue;
         }
         chosen.passes.push_back({.line = std::move(pass->line)});
