@@ -3,10 +3,12 @@
 #include "planner/turns/rig.h"
 #include "planner/turns/travel_cost.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <queue>
 #include <unordered_map>
 
@@ -29,8 +31,11 @@ public:
           clearance_{clearance},
           mostCells_{mostCells} {
         open_.push({norm(towards - goal), 0, 0});
-        reached_[packed(0, 0)] = {.distance = 0.0, .travel = 1.0};
+        storedAt(0, 0) = {.distance = 0.0, .travel = 1.0, .isKnown = true};
     }
+
+    GridDistance(const GridDistance&) = delete;
+    GridDistance& operator=(const GridDistance&) = delete;
 
     /// Infinite if there is no way, or none within `most`.
     double from(Point point, double most) {
@@ -52,20 +57,19 @@ public:
     bool isSpent() const { return settled_ == mostCells_; }
 
 private:
-    using Cell = std::uint64_t;
-
     // Within 2 radii of both ends a machine may stand in places too narrow for a passing implement.
     static constexpr double kNearEndsRadii = 2.0;
-
-    static Cell packed(std::int64_t a, std::int64_t b) {
-        return static_cast<Cell>(static_cast<std::uint32_t>(a)) << 32U | static_cast<std::uint32_t>(b);
-    }
+    // Places are kept in squares of 16 by 16: neighbours mostly share theirs.
+    static constexpr std::int32_t kSquareBits = 4;
+    static constexpr std::int32_t kSquareSide = 1 << kSquareBits;
 
     struct Place {
         double distance = std::numeric_limits<double>::infinity();
         double travel = 0.0;  ///< 0: nobody may stand there
         bool settled = false;
+        bool isKnown = false;  ///< whether anybody may stand there was looked at
     };
+    using Square = std::array<Place, std::size_t{kSquareSide} * kSquareSide>;
     struct Entry {
         double atLeast;  ///< from the goal via this place to `towards_`
         std::int32_t column;
@@ -83,19 +87,36 @@ private:
         return origin_ + Point{column * cellM_, row * cellM_};
     }
 
-    Place& placeAt(std::int32_t column, std::int32_t row) {
-        auto [found, isNew] = reached_.try_emplace(packed(column, row));
-        if (isNew) {
-            const Point middle = middleOf(column, row);
-            found->second.travel = mayStandAt(middle) ? (travel_ ? travel_(middle) : 1.0) : 0.0;
+    /// Stays where it is.
+    Place& storedAt(std::int32_t column, std::int32_t row) {
+        const std::int32_t squareColumn = column >> kSquareBits;
+        const std::int32_t squareRow = row >> kSquareBits;
+        if (last_ == nullptr || squareColumn != lastColumn_ || squareRow != lastRow_) {
+            const auto key = std::uint64_t{static_cast<std::uint32_t>(squareColumn)} << 32U |
+                             static_cast<std::uint32_t>(squareRow);
+            last_ = &squares_[key];
+            lastColumn_ = squareColumn;
+            lastRow_ = squareRow;
         }
-        return found->second;
+        const std::int32_t inSquare =
+            (row - squareRow * kSquareSide) * kSquareSide + (column - squareColumn * kSquareSide);
+        return (*last_)[static_cast<std::size_t>(inSquare)];
+    }
+
+    Place& placeAt(std::int32_t column, std::int32_t row) {
+        Place& place = storedAt(column, row);
+        if (!place.isKnown) {
+            place.isKnown = true;
+            const Point middle = middleOf(column, row);
+            place.travel = mayStandAt(middle) ? (travel_ ? travel_(middle) : 1.0) : 0.0;
+        }
+        return place;
     }
 
     void settleNearest() {
         const Entry nearest = open_.top();
         open_.pop();
-        Place& place = reached_[packed(nearest.column, nearest.row)];
+        Place& place = storedAt(nearest.column, nearest.row);
         if (place.settled) {
             return;
         }
@@ -107,7 +128,8 @@ private:
                 const std::int32_t column = nearest.column + dx;
                 const std::int32_t row = nearest.row + dy;
                 Place& next = placeAt(column, row);
-                const double distance = here + cellM_ * std::hypot(dx, dy) * next.travel;
+                const double distance =
+                    here + cellM_ * (dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0) * next.travel;
                 if (!next.settled && next.travel > 0.0 && distance < next.distance) {
                     next.distance = distance;
                     open_.push({distance + norm(towards_ - middleOf(column, row)), column, row});
@@ -124,7 +146,10 @@ private:
     Length clearance_;
     std::size_t mostCells_;
     std::size_t settled_ = 0;
-    std::unordered_map<Cell, Place> reached_;
+    std::unordered_map<std::uint64_t, Square> squares_;
+    Square* last_ = nullptr;  ///< that was asked for
+    std::int32_t lastColumn_ = 0;
+    std::int32_t lastRow_ = 0;
     std::priority_queue<Entry> open_;
 };
 
