@@ -72,8 +72,7 @@ std::vector<Point> newlyBlockedPlaces(const Driven& with, const Driven& without)
         const auto isSame = [&](const Finding& other) {
             return other.kind == finding.kind && distance(other.place, finding.place) < kSteeredAsideM;
         };
-        if (isBlocking(finding) && finding.kind != FindingKind::Missed &&
-            std::ranges::none_of(without.findings, isSame)) {
+        if (isLasting(finding) && std::ranges::none_of(without.findings, isSame)) {
             places.push_back(finding.place);
         }
     }
@@ -102,8 +101,8 @@ bool isWorse(const Driven& with, const Driven& without) {
 }
 
 /// The passes because of which a plan is worse with all of them, if it can be told.
-std::vector<HeadlandPass> toBlame(const Driven& with, const Driven& without,
-                                  const std::vector<HeadlandPass>& passes) {
+std::vector<HeadlandPass> blamedPasses(const Driven& with, const Driven& without,
+                                       const std::vector<HeadlandPass>& passes) {
     std::vector<HeadlandPass> outside = leadingOutside(with.path, passes);
     return outside.empty() ? nearestTo(newlyBlockedPlaces(with, without), passes) : outside;
 }
@@ -222,7 +221,7 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
         }
         finished->auditing += driven.auditing;
         if (isWorse(*finished, driven)) {
-            const std::vector<HeadlandPass> blamed = toBlame(*finished, driven, more.put);
+            const std::vector<HeadlandPass> blamed = blamedPasses(*finished, driven, more.put);
             if (blamed.empty()) {
                 break;
             }

@@ -37,10 +37,12 @@ Error noBetter(const Field& field) {
     return {.code = ErrorCode::InputRefused, .what = {}, .where = field.name()};
 }
 
+bool isLasting(const Finding& finding) {
+    return isBlocking(finding) && finding.kind != FindingKind::Missed;
+}
+
 std::ptrdiff_t lastingCount(std::span<const Finding> findings) {
-    return std::ranges::count_if(findings, [](const Finding& finding) {
-        return isBlocking(finding) && finding.kind != FindingKind::Missed;
-    });
+    return std::ranges::count_if(findings, isLasting);
 }
 
 bool isBeyondMending(std::span<const Finding> findings) {

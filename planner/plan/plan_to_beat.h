@@ -43,7 +43,7 @@ struct PlanToBeat {
     std::ptrdiff_t blocking = 0;  ///< findings
     Duration time;                ///< for all
     FinishingCost finishing;      ///< of this plan, or of one that is more like the other one
-    bool finishesAlike = false;   ///< that one has the headland and the corners of the other one
+    bool finishesAlike = false;   ///< it is of a plan with the headland and the corners of the one to be made
     const QuickestMeanwhile* meanwhile = nullptr;  ///< of plans that are made at the same time
     double near = 1.0;  ///< a plan that takes so many times as long as the quickest meanwhile is wanted, too
 
@@ -59,7 +59,10 @@ PlanToBeat planToBeat(const Machine& machine, const Driven& driven);
 /// The error of a plan that cannot be better. It has no text, since nobody sees it.
 Error noBetter(const Field& field);
 
-/// The number of blocking findings that finishing passes cannot mend.
+/// Whether this blocks the plan, and finishing passes cannot mend it.
+bool isLasting(const Finding& finding);
+
+/// The number of such findings.
 std::ptrdiff_t lastingCount(std::span<const Finding> findings);
 
 /// What blocks in more than 25 places, neither finishing passes nor another heading make drivable.
