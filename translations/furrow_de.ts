@@ -901,6 +901,21 @@
     </message>
 </context>
 <context>
+    <name>DrawingNotice</name>
+    <message>
+        <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
+        <translation>Die Karte kann weder Schläge noch Pläne zeigen: Dieses Fenster wird ohne OpenGL gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
+        <translation>Einen Grafiktreiber mit OpenGL installieren; Mesa zeichnet auf jedem Prozessor. Auf der Kommandozeile lässt sich trotzdem planen und exportieren.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
     <name>DriveBar</name>
     <message>
         <source>Drive-through</source>

@@ -901,6 +901,21 @@
     </message>
 </context>
 <context>
+    <name>DrawingNotice</name>
+    <message>
+        <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
+        <translation>El mapa no puede mostrar parcelas ni planes: esta ventana se dibuja sin OpenGL.</translation>
+    </message>
+    <message>
+        <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
+        <translation>Instale un controlador gráfico con OpenGL; Mesa dibuja con cualquier procesador. La línea de órdenes planifica y exporta de todos modos.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
     <name>DriveBar</name>
     <message>
         <source>Drive-through</source>

@@ -901,6 +901,21 @@
     </message>
 </context>
 <context>
+    <name>DrawingNotice</name>
+    <message>
+        <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
+        <translation>La carte ne peut afficher ni parcelles ni plans : cette fenêtre est dessinée sans OpenGL.</translation>
+    </message>
+    <message>
+        <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
+        <translation>Installez un pilote graphique avec OpenGL ; Mesa dessine avec tout processeur. La ligne de commande planifie et exporte quand même.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
     <name>DriveBar</name>
     <message>
         <source>Drive-through</source>

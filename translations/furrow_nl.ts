@@ -901,6 +901,21 @@
     </message>
 </context>
 <context>
+    <name>DrawingNotice</name>
+    <message>
+        <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
+        <translation>De kaart kan geen percelen en plannen tonen: dit venster wordt zonder OpenGL getekend.</translation>
+    </message>
+    <message>
+        <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
+        <translation>Installeer een grafisch stuurprogramma met OpenGL; Mesa tekent op elke processor. Op de opdrachtregel kan wel worden gepland en geëxporteerd.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
     <name>DriveBar</name>
     <message>
         <source>Drive-through</source>

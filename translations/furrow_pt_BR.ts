@@ -901,6 +901,21 @@
     </message>
 </context>
 <context>
+    <name>DrawingNotice</name>
+    <message>
+        <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
+        <translation>O mapa não pode mostrar talhões nem planos: esta janela é desenhada sem OpenGL.</translation>
+    </message>
+    <message>
+        <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
+        <translation>Instale um driver gráfico com OpenGL; o Mesa desenha em qualquer processador. A linha de comando planeja e exporta mesmo assim.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
     <name>DriveBar</name>
     <message>
         <source>Drive-through</source>

@@ -45,6 +45,17 @@
     </message>
 </context>
 <context>
+    <name>DrawingNotice</name>
+    <message>
+        <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
+        <translation>O mapa não pode mostrar talhões nem planos: esta janela é desenhada sem OpenGL.</translation>
+    </message>
+    <message>
+        <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
+        <translation>Instale um controlador gráfico com OpenGL; o Mesa desenha em qualquer processador. A linha de comandos planeia e exporta mesmo assim.</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Open its boundary, or drop the file anywhere on this window. Shapefile, GeoJSON, KML, GeoPackage, GML and others are understood, zipped or not.</source>
@@ -480,7 +491,7 @@
     </message>
     <message>
         <source>export the fields again in one coordinate system</source>
-        <translation>exporte as talhões de novo num único sistema de coordenadas</translation>
+        <translation>exporte os talhões de novo num único sistema de coordenadas</translation>
     </message>
     <message>
         <source>free some space on the stick</source>

@@ -19,6 +19,9 @@ Column {
         report: root.session.trouble
         onReportRequested: root.reportRequested()
     }
+    DrawingNotice {
+        width: root.width
+    }
     ImageryNotice {
         width: root.width
         imagery: root.session.imagery

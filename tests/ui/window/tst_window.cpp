@@ -43,6 +43,16 @@ private slots:
         QTRY_VERIFY(session_->shown()->plan()->headland.width.si() < 20.0);
         picture(QStringLiteral("headland"));
     }
+    /// As where Qt draws without OpenGL.
+    void aMapWithoutOpenGLIsTold() {
+        QQuickItem* const notice = item(QStringLiteral("drawingNotice"));
+        QVERIFY(!notice->isVisible());
+        notice->setProperty("api", QSGRendererInterface::Software);
+        QTRY_VERIFY(notice->isVisible());
+        picture(QStringLiteral("without-opengl"));
+        click(QStringLiteral("drawingNotice.close"));
+        QTRY_VERIFY(!notice->isVisible());
+    }
     void aBoundaryIsDrawnByClicks() {
         camera()->centreOn(QGeoCoordinate{58.2515, 22.5035}, 16.0, false);
         click(QStringLiteral("drawTool"));
