@@ -19,6 +19,8 @@ struct Cell {
     MultiPolygon outline;
     std::vector<std::size_t> swaths;  ///< indices into the swath set, in its order
     Angle heading;                    ///< of its swaths, modulo pi
+
+    friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// Two cells that become one, each named by its first piece.

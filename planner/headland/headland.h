@@ -22,6 +22,8 @@ struct PassStretch {
     bool working = true;
     /// Of a short pass: the line of the same work in the other direction, where the machine has room for it.
     std::optional<Curve> otherWay = {};
+
+    friend bool operator==(const PassStretch&, const PassStretch&) = default;
 };
 
 /// One ring of the headland, or a part of one.
@@ -34,6 +36,7 @@ struct HeadlandPass {
     std::vector<PassStretch> stretches;
 
     Length length() const;
+    friend bool operator==(const HeadlandPass&, const HeadlandPass&) = default;
 };
 
 /// The headland along one edge of the field or of an obstacle, the field on its left.
@@ -42,6 +45,8 @@ struct EdgeStrip {
     Point to;
     Length width;    ///< from the edge to the mainland
     int passes = 0;  ///< operating widths that fit into it
+
+    friend bool operator==(const EdgeStrip&, const EdgeStrip&) = default;
 };
 
 /// The strip kept for turning and the mainland inside it.

@@ -429,6 +429,9 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     }
     BestSoFar other = *with(best, *std::move(plan));
     other.asked = asked;
+    if (other.plan.driven == best.plan.driven) {
+        return std::optional{std::move(other)};
+    }
     forget(other.instead, *stageMethod("route"));
     if (other.plan.laidOut.headland->mainland != best.plan.laidOut.headland->mainland) {
         other.nearCorners.reset();

@@ -29,6 +29,12 @@ struct SwathInputs {
     friend bool operator==(const SwathInputs&, const SwathInputs&) = default;
 };
 
+/// Whether these look the same to the stages that follow: how they were found, and their notes, do not
+/// matter.
+bool isSameGround(const Headland& a, const Headland& b);
+bool isSameWork(const LaidSwaths& a, const LaidSwaths& b);
+bool isSameOrder(const Ordered& a, const Ordered& b);
+
 /// What an order is made from.
 struct OrderInputs {
     std::shared_ptr<const Ground> ground;
@@ -36,7 +42,10 @@ struct OrderInputs {
     bool draft = false;
     std::vector<DrivenSwath> earlier = {};
 
-    friend bool operator==(const OrderInputs&, const OrderInputs&) = default;
+    friend bool operator==(const OrderInputs& a, const OrderInputs& b) {
+        return a.ground == b.ground && a.draft == b.draft && a.earlier == b.earlier &&
+               isSameWork(*a.laid, *b.laid);
+    }
 };
 
 struct DriveInputs {
@@ -46,7 +55,10 @@ struct DriveInputs {
     std::shared_ptr<const Ordered> ordered;
     bool draft = false;
 
-    friend bool operator==(const DriveInputs&, const DriveInputs&) = default;
+    friend bool operator==(const DriveInputs& a, const DriveInputs& b) {
+        return a.ground == b.ground && a.draft == b.draft && isSameGround(*a.headland, *b.headland) &&
+               isSameWork(*a.laid, *b.laid) && isSameOrder(*a.ordered, *b.ordered);
+    }
 };
 
 struct NoInputs {

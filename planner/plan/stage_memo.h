@@ -12,8 +12,8 @@ namespace furrow {
 
 /// The last results of one stage with what they were made from. A stage whose inputs are equal is not run
 /// again: field, machine and guides, the settings that it asked for, and `Inputs`, what the stages before it
-/// made. May be asked by several threads at once. Of `kMost` results the one that was made first is
-/// forgotten.
+/// made. May be asked by several threads at once. Of more than `kMost` results those that were made first are
+/// known only as long as somebody else keeps them.
 template <class Inputs, class Value, std::size_t kMost = 24>
 class StageMemo {
 public:
@@ -34,35 +34,42 @@ public:
         auto value = std::make_shared<const Value>(*std::move(made));
         const std::scoped_lock lock{mutex_};
         listening.settings = request.settings.writingDown({});
-        results_.push_front(
-            {.request = std::move(listening), .reads = reads, .inputs = std::move(inputs), .value = value});
+        results_.push_front({.request = std::move(listening),
+                             .reads = reads,
+                             .inputs = std::move(inputs),
+                             .value = value,
+                             .kept = value});
         if (results_.size() > kMost) {
-            results_.pop_back();
+            results_[kMost].kept.reset();
+            std::erase_if(results_, [](const Known& known) { return known.value.expired(); });
         }
         return value;
     }
 
 private:
-    struct Kept {
+    struct Known {
         PlanRequest request;
         std::shared_ptr<const SettingReads> reads;
         Inputs inputs;
-        std::shared_ptr<const Value> value;
+        std::weak_ptr<const Value> value;
+        std::shared_ptr<const Value> kept;  ///< the same, or empty
     };
 
     std::shared_ptr<const Value> find(const PlanRequest& request, const Inputs& inputs) const {
         const std::scoped_lock lock{mutex_};
-        for (const Kept& kept : results_) {
-            if (kept.inputs == inputs && isSameButSettings(kept.request, request) &&
-                kept.reads->areEqualIn(kept.request.settings, request.settings)) {
-                return kept.value;
+        for (const Known& known : results_) {
+            if (isSameButSettings(known.request, request) &&
+                known.reads->areEqualIn(known.request.settings, request.settings) && known.inputs == inputs) {
+                if (auto value = known.value.lock()) {
+                    return value;
+                }
             }
         }
         return nullptr;
     }
 
     mutable std::mutex mutex_;
-    std::deque<Kept> results_;
+    std::deque<Known> results_;  ///< the last one first
 };
 
 }  // namespace furrow

@@ -35,6 +35,8 @@ struct MainlandPart {
     std::size_t firstSwath = 0;  ///< of the set; a part's swaths follow on each other
     std::size_t swathCount = 0;
     std::optional<Angle> heading;  ///< where it is not that of the set
+
+    friend bool operator==(const MainlandPart&, const MainlandPart&) = default;
 };
 
 /// The swaths of a mainland.

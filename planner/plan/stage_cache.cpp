@@ -1,0 +1,35 @@
+#include "planner/plan/stage_cache.h"
+
+#include <tuple>
+
+namespace furrow {
+
+namespace {
+
+auto workOf(const SwathSet& set) {
+    return std::tie(set.swaths, set.heading, set.shift, set.restRight, set.restLeft, set.leftOnPurpose,
+                    set.goneRound);
+}
+
+}  // namespace
+
+bool isSameGround(const Headland& a, const Headland& b) {
+    const auto ground = [](const Headland& headland) {
+        return std::tie(headland.width, headland.passes, headland.strips, headland.mainland,
+                        headland.drivenPasses, headland.uncutStrip, headland.uncutCorners, headland.narrowed,
+                        headland.isPerimeterOnly);
+    };
+    return &a == &b || ground(a) == ground(b);
+}
+
+bool isSameWork(const LaidSwaths& a, const LaidSwaths& b) {
+    return &a == &b ||
+           (workOf(a.swaths) == workOf(b.swaths) && workOf(a.forCells()) == workOf(b.forCells()) &&
+            a.parts == b.parts && a.mainland == b.mainland);
+}
+
+bool isSameOrder(const Ordered& a, const Ordered& b) {
+    return &a == &b || (a.route == b.route && a.cells.cells == b.cells.cells);
+}
+
+}  // namespace furrow
