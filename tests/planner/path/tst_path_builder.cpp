@@ -161,7 +161,7 @@ private slots:
     void isContinuous_data() {
         QTest::addColumn<int>("shape");
         for (const test::Shape shape : test::kShapes) {
-            QTest::addRow("%s", test::shapeName(shape).data()) << static_cast<int>(shape);
+            QTest::addRow("%s", std::string{test::shapeName(shape)}.c_str()) << static_cast<int>(shape);
         }
     }
     void isContinuous() {
