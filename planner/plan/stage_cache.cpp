@@ -13,16 +13,16 @@ auto workOf(const SwathSet& set) {
 
 }  // namespace
 
-bool isSameGround(const Headland& a, const Headland& b) {
-    const auto ground = [](const Headland& headland) {
+bool isSameHeadland(const Headland& a, const Headland& b) {
+    const auto driven = [](const Headland& headland) {
         return std::tie(headland.width, headland.passes, headland.strips, headland.mainland,
                         headland.drivenPasses, headland.uncutStrip, headland.uncutCorners, headland.narrowed,
                         headland.isPerimeterOnly);
     };
-    return &a == &b || ground(a) == ground(b);
+    return &a == &b || driven(a) == driven(b);
 }
 
-bool isSameWork(const LaidSwaths& a, const LaidSwaths& b) {
+bool isSameSwaths(const LaidSwaths& a, const LaidSwaths& b) {
     return &a == &b ||
            (workOf(a.swaths) == workOf(b.swaths) && workOf(a.forCells()) == workOf(b.forCells()) &&
             a.parts == b.parts && a.mainland == b.mainland);

@@ -31,8 +31,8 @@ struct SwathInputs {
 
 /// Whether these look the same to the stages that follow: how they were found, and their notes, do not
 /// matter.
-bool isSameGround(const Headland& a, const Headland& b);
-bool isSameWork(const LaidSwaths& a, const LaidSwaths& b);
+bool isSameHeadland(const Headland& a, const Headland& b);
+bool isSameSwaths(const LaidSwaths& a, const LaidSwaths& b);
 bool isSameOrder(const Ordered& a, const Ordered& b);
 
 /// What an order is made from.
@@ -44,7 +44,7 @@ struct OrderInputs {
 
     friend bool operator==(const OrderInputs& a, const OrderInputs& b) {
         return a.ground == b.ground && a.draft == b.draft && a.earlier == b.earlier &&
-               isSameWork(*a.laid, *b.laid);
+               isSameSwaths(*a.laid, *b.laid);
     }
 };
 
@@ -56,8 +56,8 @@ struct DriveInputs {
     bool draft = false;
 
     friend bool operator==(const DriveInputs& a, const DriveInputs& b) {
-        return a.ground == b.ground && a.draft == b.draft && isSameGround(*a.headland, *b.headland) &&
-               isSameWork(*a.laid, *b.laid) && isSameOrder(*a.ordered, *b.ordered);
+        return a.ground == b.ground && a.draft == b.draft && isSameHeadland(*a.headland, *b.headland) &&
+               isSameSwaths(*a.laid, *b.laid) && isSameOrder(*a.ordered, *b.ordered);
     }
 };
 

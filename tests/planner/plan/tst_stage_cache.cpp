@@ -66,6 +66,8 @@ private slots:
     void onlyWhatDependsIsRunAgain();
     void stagesTakeNoLongerThanThePlan();
     void cornersThatAreTheSameShareAHeadland();
+    void whatComesToTheSameIsNotDrivenAgain_data();
+    void whatComesToTheSameIsNotDrivenAgain();
     void anotherFieldIsNotMixedUp();
     void readsOfInnerStagesCount();
 
@@ -166,6 +168,37 @@ void TestStageCache::cornersThatAreTheSameShareAHeadland() {
     VERIFY_RESULT(plan);
     QCOMPARE((*plan)->timings.headland, Duration{});
     QCOMPARE((*plan)->timings.swaths, Duration{});
+}
+
+// A rectangle is one cell, so the heading of each cell is that of all of them.
+void TestStageCache::whatComesToTheSameIsNotDrivenAgain_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("value");
+    QTest::addColumn<bool>("driven");
+    QTest::newRow("heading of each cell") << "decomposition.heading" << "per-cell" << false;
+    QTest::newRow("another order") << "route.method" << "racetrack" << true;
+}
+
+void TestStageCache::whatComesToTheSameIsNotDrivenAgain() {
+    QFETCH(QString, key);
+    QFETCH(QString, value);
+    QFETCH(bool, driven);
+    StageCache cache;
+    Given given{{"headland.corner", "rounded"}, {"route.compare", "blocked"}};
+    const auto plan = [&] {
+        PlanRequest request = requestWith(given);
+        request.field = std::make_shared<const Field>(
+            Field::create(test::fieldSourceFromLocal({test::rectangle(100.0, 64.0)}, kCentre)).value());
+        return makePlan(request, {}, &cache);
+    };
+    const auto first = plan();
+    VERIFY_RESULT(first);
+    QVERIFY((*first)->drivable());
+    given.emplace_back(key.toStdString(), value.toStdString());
+    const auto second = plan();
+    VERIFY_RESULT(second);
+    QCOMPARE((*second)->timings.path > Duration{}, driven);
+    QCOMPARE((*second)->path == (*first)->path, !driven);
 }
 
 void TestStageCache::anotherFieldIsNotMixedUp() {
