@@ -430,6 +430,7 @@ Result<std::optional<BestSoFar>> PlanChooser::changed(const BestSoFar& best, con
     BestSoFar other = *with(best, *std::move(plan));
     other.asked = asked;
     if (other.plan.driven == best.plan.driven) {
+        // The same plan, whose order and corners are decided.
         return std::optional{std::move(other)};
     }
     forget(other.instead, *stageMethod("route"));
