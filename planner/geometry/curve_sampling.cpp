@@ -16,9 +16,9 @@ std::vector<CurveSample> sampled(const Curve& turn, Length chordTolerance) {
         // The distance between an arc and its chord over the angle phi is R (1 - cos(phi / 2)).
         const double cosine = std::clamp(1.0 - chordTolerance.si() * curvature, -1.0, 1.0);
         const double angle = piece.length.si() * curvature;
-        const int steps = std::max(1, static_cast<int>(std::ceil(angle / (2.0 * std::acos(cosine)))));
-        // A straight piece would divide zero by zero. One chord is the line itself.
-        const int count = curvature > 0.0 ? steps : 1;
+        const double chordAngle = 2.0 * std::acos(cosine);
+        // Of a straight piece, or almost one, the chord is the line itself.
+        const int count = chordAngle > 0.0 ? std::max(1, static_cast<int>(std::ceil(angle / chordAngle))) : 1;
         for (int i = 0; i < count; ++i) {
             const Length part = piece.length * (static_cast<double>(i) / count);
             const Curvature here = piece.curvatureAt(part);
