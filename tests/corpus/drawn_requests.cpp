@@ -4,6 +4,7 @@
 #include "planner/geometry/polygon.h"
 #include "planner/machine/machine_keys.h"
 #include "planner/machine/machine_library.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/method_registry.h"
 #include "tests/support/field_generator.h"
 
@@ -18,12 +19,21 @@ namespace furrow::test {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr std::uint64_t kComparing = 16;
 
 class Draw {
 public:
-    explicit Draw(std::uint64_t seed) : random_{seed} {}
+    Draw(std::uint64_t seed, std::span<const std::uint8_t> decisions)
+        : random_{seed}, decisions_{decisions} {}
 
-    double between(double low, double high) { return uniform(random_, low, high); }
+    double between(double low, double high) {
+        if (decisions_.size() < 2) {
+            return uniform(random_, low, high);
+        }
+        const double share = (256.0 * decisions_[0] + decisions_[1]) / 65536.0;
+        decisions_ = decisions_.subspan(2);
+        return low + share * (high - low);
+    }
     /// Each order of magnitude is as likely as another.
     double scaled(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
     bool chance(double share) { return between(0.0, 1.0) < share; }
@@ -35,6 +45,7 @@ public:
 
 private:
     std::mt19937_64 random_;
+    std::span<const std::uint8_t> decisions_;
 };
 
 /// Spikes all round, down to slits of millimetres.
@@ -74,8 +85,9 @@ Polygon sieve(Draw& draw, double radiusM, std::size_t mostAcross) {
     const std::array shares{0.02, 0.3, 0.9, 1.0, 1.02};
     const double size = shares[draw.index(shares.size())] * step;
     for (std::size_t i = 0; i < across * across; ++i) {
+        const std::size_t row = i / across;
         const Point low{(static_cast<double>(i % across) + 0.5) * step - 0.5 * size,
-                        (static_cast<double>(i / across) + 0.5) * step - 0.5 * size};
+                        (static_cast<double>(row) + 0.5) * step - 0.5 * size};
         Ring hole = rectangle(size, size, low).outer;
         std::ranges::reverse(hole);
         polygon.holes.push_back(std::move(hole));
@@ -291,16 +303,33 @@ Settings settings(Draw& draw, const FieldSource& field, DrawnRequest& drawn) {
     return all;
 }
 
-}  // namespace
-
-DrawnRequest drawnRequest(std::uint64_t seed, DrawnSize size) {
-    Draw draw{seed};
+DrawnRequest drawnRequest(std::uint64_t seed, DrawnSize size, std::span<const std::uint8_t> decisions) {
+    Draw draw{seed, decisions};
     DrawnRequest drawn;
     drawn.field = fieldSource(draw, size, drawn.told);
     drawn.field.name = std::format("Seed {}", seed);
     drawn.machine = machineSpec(draw, drawn.told);
     drawn.told += ";";
     drawn.settings = settings(draw, drawn.field, drawn);
+    return drawn;
+}
+
+}  // namespace
+
+DrawnRequest drawnRequest(std::uint64_t seed, DrawnSize size) {
+    return drawnRequest(seed, size, {});
+}
+
+DrawnRequest chosenRequest(std::span<const std::uint8_t> bytes) {
+    std::uint64_t seed = 0;
+    const std::size_t seedSize = std::min(sizeof(seed), bytes.size());
+    for (const std::uint8_t byte : bytes.first(seedSize)) {
+        seed = 256 * seed + byte;
+    }
+    DrawnRequest drawn = drawnRequest(seed, DrawnSize::Small, bytes.subspan(seedSize));
+    if (seed % kComparing != 0) {
+        drawn.settings.set(kCompare, "blocked").value();
+    }
     return drawn;
 }
 

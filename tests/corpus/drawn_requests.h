@@ -5,6 +5,7 @@
 #include "planner/settings/settings.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,5 +32,10 @@ struct DrawnRequest {
 /// machine_keys.h. Settings: none, some or many of the method registry, within their ranges; text ones with
 /// lines, places and numbers about the field.
 DrawnRequest drawnRequest(std::uint64_t seed, DrawnSize size = DrawnSize::Any);
+
+/// A small one that bytes choose: the first eight are a seed, which settles the outlines; then two settle
+/// each choice, one after the other. Where they end the seed goes on. Plans are compared for every sixteenth
+/// seed only: twenty plans of one field find little more than one does.
+DrawnRequest chosenRequest(std::span<const std::uint8_t> bytes);
 
 }  // namespace furrow::test

@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -126,7 +127,7 @@ double stoppedAfter(const PlanRequest& request, std::chrono::milliseconds delay)
             stoppedS = since(begun);
             stop.request_stop();
         }};
-        static_cast<void>(makePlan(request, {.stop = stop.get_token()}));
+        [[maybe_unused]] const auto stopped = makePlan(request, {.stop = stop.get_token()});
         const double endedS = since(begun);
         stoppedS = stoppedS == 0.0 ? endedS : stoppedS.load();
         return std::max(0.0, endedS - stoppedS);
@@ -135,8 +136,7 @@ double stoppedAfter(const PlanRequest& request, std::chrono::milliseconds delay)
 
 }  // namespace
 
-DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size) {
-    const DrawnRequest drawn = drawnRequest(seed, size);
+DrawnVerdict verdictOn(const DrawnRequest& drawn, DrawnTrial trial, std::chrono::milliseconds stopAfter) {
     DrawnVerdict verdict;
     const std::clock_t begun = std::clock();
     for (const Error& error : drawn.refused) {
@@ -152,8 +152,8 @@ DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size) {
     const PlanRequest request{.field = std::make_shared<const Field>(*std::move(field)),
                               .machine = *machine,
                               .settings = drawn.settings};
-    if (seed % 3 == 1) {
-        verdict.stopSeconds = stoppedAfter(request, std::chrono::milliseconds{seed / 3 % 400});
+    if (trial == DrawnTrial::Stop) {
+        verdict.stopSeconds = stoppedAfter(request, stopAfter);
         verdict.fault = verdict.stopSeconds > kMostStopS
                             ? std::format("it stopped after {:.1f} s", verdict.stopSeconds)
                             : "";
@@ -163,13 +163,19 @@ DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size) {
     if (verdict.fault.empty()) {
         verdict.fault = plan ? faultIn(**plan) : faultOf(plan.error());
     }
-    if (verdict.fault.empty() && seed % 3 == 0) {
+    if (verdict.fault.empty() && trial == DrawnTrial::OneThreadAndTwo) {
         verdict.fault = faultOfThreads(request, plan);
     }
     if (plan) {
         verdict.outcome = (*plan)->drivable() ? DrawnOutcome::Drivable : DrawnOutcome::Planned;
     }
     return verdict;
+}
+
+DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size) {
+    constexpr std::array kTrials{DrawnTrial::OneThreadAndTwo, DrawnTrial::Stop, DrawnTrial::PlanOnly};
+    return verdictOn(drawnRequest(seed, size), kTrials[seed % kTrials.size()],
+                     std::chrono::milliseconds{seed / 3 % 400});
 }
 
 }  // namespace furrow::test

@@ -3,6 +3,7 @@
 #include "planner/plan/plan.h"
 #include "tests/corpus/drawn_requests.h"
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -18,9 +19,17 @@ struct DrawnVerdict {
     double stopSeconds = 0.0;  ///< from the stop request until the job had ended; 0: none was made
 };
 
+/// What may be tried beside making the plan once.
+enum class DrawnTrial { PlanOnly, OneThreadAndTwo, Stop };
+
 /// Plans and audits a drawn request, and looks at what must hold of every plan: an error says what is wrong
-/// and what to do; no number that is none; swaths inside of the mainland; JSON that can be read. Every third
-/// one is planned by one thread and by two and has to be the same; every other third is stopped meanwhile.
+/// and what to do; no number that is none; swaths inside of the mainland; JSON that can be read. By one
+/// thread and by two it has to be the same; where it is to be stopped, it is after `stopAfter`.
+DrawnVerdict verdictOn(const DrawnRequest& drawn, DrawnTrial trial = DrawnTrial::PlanOnly,
+                       std::chrono::milliseconds stopAfter = {});
+
+/// The same of a seed's request. Every third one is planned by two threads, too, and every other third is
+/// stopped meanwhile.
 DrawnVerdict verdictOn(std::uint64_t seed, DrawnSize size = DrawnSize::Any);
 
 }  // namespace furrow::test

@@ -1,12 +1,14 @@
 // Fields, machines and settings that nobody chose: whatever comes of them, it is a plan that holds together,
 // or a refusal that says what to do. `tst_drawn_plans --minutes 60 [--from SEED]` goes on for an hour, names
 // each seed before it is planned, so that a crash tells its own, and ends with 1 where something is wrong.
-// `--only SEED` shows one of them.
+// `--only SEED` shows one of them, `--chosen FILE` what the bytes of a file choose
+// (tests/fuzz/fuzz_planner.cpp).
 
 #include "tests/corpus/plan_invariants.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTest>
 
 #include <array>
@@ -26,6 +28,27 @@ constexpr double kSlowS = 60.0;
 std::optional<std::uint64_t> numberAfter(const QStringList& line, const QString& word) {
     const qsizetype at = line.indexOf(word);
     return at < 0 || at + 1 >= line.size() ? std::nullopt : std::optional{line[at + 1].toULongLong()};
+}
+
+bool runChosen(const QString& path) {
+    QFile file{path};
+    if (!file.open(QIODevice::ReadOnly)) {
+        std::printf("%s cannot be read\n", qPrintable(path));
+        return false;
+    }
+    const QByteArray bytes = file.readAll();
+    const test::DrawnRequest drawn = test::chosenRequest(
+        {reinterpret_cast<const std::uint8_t*>(bytes.constData()), static_cast<std::size_t>(bytes.size())});
+    std::printf("%s\n", drawn.told.c_str());
+    for (const GeoPolygon& part : drawn.field.parts) {
+        for (const GeoPoint& point : part.outer) {
+            std::printf("%.9f %.9f\n", point.lonDeg, point.latDeg);
+        }
+    }
+    std::fflush(stdout);
+    const test::DrawnVerdict verdict = test::verdictOn(drawn);
+    std::printf("%.1f s: %s\n", verdict.seconds, verdict.fault.empty() ? "no fault" : verdict.fault.c_str());
+    return verdict.fault.empty();
 }
 
 bool runSeed(std::uint64_t seed, std::array<int, 3>& outcomes) {
@@ -92,6 +115,9 @@ int main(int argc, char** argv) {
         std::array<int, 3> outcomes{};
         std::printf("%s\n", test::drawnRequest(*seed).told.c_str());
         return runSeed(*seed, outcomes) ? 0 : 1;
+    }
+    if (const qsizetype at = line.indexOf("--chosen"); at >= 0 && at + 1 < line.size()) {
+        return runChosen(line[at + 1]) ? 0 : 1;
     }
     if (const auto minutes = numberAfter(line, "--minutes")) {
         return runFor(*minutes, numberAfter(line, "--from").value_or(kFirstSeed));
