@@ -22,6 +22,11 @@ constexpr std::size_t kMostStarts = 400;
 // If none of these places allows a way, no other place does.
 constexpr std::size_t kMostChecked = 150;
 constexpr Length kCheckStep = metres(0.25);
+// Ways of several moves are searched only where they may save that much, ...
+constexpr Duration kWorthSearching = seconds(30.0);
+// ... to so many places, this many widths apart.
+constexpr std::size_t kMostSearched = 4;
+constexpr double kWidthsApart = 2.0;
 // A trailed implement comes into line within 3 of its own lengths after a bend.
 constexpr double kLengthsIntoLine = 3.0;
 
@@ -190,20 +195,22 @@ std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
 /// Finds the best start of a closed pass.
 class StartChooser {
 public:
-    StartChooser(const AllowedAreas& drivable, const Machine& machine, TurnPlanner* turn)
-        : machine_{machine},
+    StartChooser(const HeadlandDrive& drive, const Machine& machine, TurnPlanner* turn)
+        : drive_{drive},
+          machine_{machine},
           turn_{turn},
-          raised_{drivable, machine, machine.turningFootprint(),
+          raised_{drive.drivable, machine, machine.turningFootprint(),
                   machine.turningWidth() + machine.spec().tractor.length} {}
 
-    /// The place with the quickest way between pass and fixed pose that stays inside. If no way stays inside,
-    /// the quickest one; without a pose, the first place.
+    /// The place with the quickest way between pass and fixed pose that stays inside: a single curve, or
+    /// several moves near by where that curve leads far round. If no way stays inside, the quickest one;
+    /// without a pose, the first place.
     const StartPlace& best(const std::vector<StartPlace>& places, const std::optional<Pose>& fixed,
                            bool fixedIsNext) const {
         if (!fixed) {
             return places.front();
         }
-        std::vector<std::pair<Duration, std::size_t>> byTime;
+        std::vector<RatedPlace> byTime;
         for (std::size_t i = 0; i < places.size(); ++i) {
             const Curve between = way(places[i], *fixed, fixedIsNext);
             const Pose& from = fixedIsNext ? places[i].end : *fixed;
@@ -211,20 +218,55 @@ public:
             byTime.emplace_back(roughDuration(between, from, to, machine_), i);
         }
         std::ranges::sort(byTime);
-        for (const auto& [time, i] : byTime | std::views::take(kMostChecked)) {
-            if (raised_.staysInside(way(places[i], *fixed, fixedIsNext), kCheckStep)) {
-                return places[i];
+        std::optional<RatedPlace> quickest;
+        for (const RatedPlace& rated : byTime | std::views::take(kMostChecked)) {
+            if (raised_.staysInside(way(places[rated.second], *fixed, fixedIsNext), kCheckStep)) {
+                quickest = rated;
+                break;
             }
         }
-        return places[byTime.front().second];
+        if (quickest && drive_.searched) {
+            quickest = quickestOf(*quickest, byTime, places, *fixed, fixedIsNext);
+        }
+        return places[quickest.value_or(byTime.front()).second];
     }
 
 private:
+    using RatedPlace = std::pair<Duration, std::size_t>;
+
+    /// The place of the quickest single curve, or one with a way of several moves that is quicker. In free
+    /// space no way is quicker.
+    RatedPlace quickestOf(RatedPlace quickest, const std::vector<RatedPlace>& byTime,
+                          const std::vector<StartPlace>& places, const Pose& fixed, bool fixedIsNext) const {
+        std::vector<Point> tried;
+        const auto isBeside = [&](Point place) {
+            return std::ranges::any_of(tried, [&](Point other) {
+                return distance(other, place) < kWidthsApart * machine_.operatingWidth().si();
+            });
+        };
+        for (const auto& [time, i] : byTime) {
+            if (time + kWorthSearching >= quickest.first || tried.size() == kMostSearched) {
+                break;
+            }
+            if (isBeside(places[i].pose.position)) {
+                continue;
+            }
+            tried.push_back(places[i].pose.position);
+            const auto searched =
+                fixedIsNext ? drive_.searched(places[i].end, fixed) : drive_.searched(fixed, places[i].pose);
+            if (searched && *searched < quickest.first) {
+                quickest = {*searched, i};
+            }
+        }
+        return quickest;
+    }
+
     Curve way(const StartPlace& place, const Pose& fixed, bool fixedIsNext) const {
         return fixedIsNext ? connection(place.end, fixed, machine_, turn_)
                            : connection(fixed, place.pose, machine_, turn_);
     }
 
+    const HeadlandDrive& drive_;
     const Machine& machine_;
     TurnPlanner* turn_;
     RigidRoom raised_;
@@ -261,7 +303,7 @@ std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const Hea
     // Lined up backwards, outside in begins with the innermost.
     const std::vector<std::size_t> order =
         sequence(passes, places, backwards != drive.insideOut, fixed ? fixed->position : Point{});
-    const StartChooser chooser{drive.drivable, machine, turn};
+    const StartChooser chooser{drive, machine, turn};
     std::vector<std::vector<Leg>> lined;
     std::optional<Pose> met = fixed;
     for (const std::size_t i : order) {

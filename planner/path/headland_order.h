@@ -4,6 +4,7 @@
 #include "planner/headland/headland.h"
 #include "planner/path/path_builder.h"
 
+#include <functional>
 #include <optional>
 
 namespace furrow {
@@ -16,11 +17,14 @@ struct HeadlandDrive {
     std::optional<Pose> before;    ///< end of the leg right before the headland
     std::optional<Pose> after;     ///< start of the leg right after the headland
     const AllowedAreas& drivable;  ///< the ways between passes stay inside if possible
+    /// The time of the way in the field, of several moves where no single curve fits, if there is one.
+    /// Empty: only single curves are compared.
+    std::function<std::optional<Duration>(const Pose& leaving, const Pose& arriving)> searched = {};
 };
 
 /// The legs of all passes, ring by ring around each boundary or obstacle, nearest first. Each closed pass
 /// starts where the way from the pass before, or to the pass after, is quickest. Cost: a few hundred turns
-/// for each pass.
+/// for each pass, and up to four searches where no single curve of a short way fits.
 std::vector<Leg> headlandLegs(const std::vector<HeadlandPass>& passes, const HeadlandDrive& drive,
                               const Machine& machine, TurnPlanner* turn);
 

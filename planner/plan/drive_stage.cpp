@@ -7,8 +7,10 @@
 #include "planner/path/lifted_legs.h"
 #include "planner/plan/finish_stage.h"
 #include "planner/plan/gate_legs.h"
+#include "planner/plan/general_parameters.h"
 #include "planner/plan/refill_stage.h"
 #include "planner/plan/ways_room.h"
+#include "planner/turns/straight_turn.h"
 
 #include <algorithm>
 #include <iterator>
@@ -23,7 +25,8 @@ namespace {
 constexpr double kWithoutTrips = 0.6;
 
 /// Headland passes before or after the swaths.
-std::vector<Leg> legsOf(const DriveTask& task) {
+/// @param ways  in the room of turns
+std::vector<Leg> legsOf(const DriveTask& task, WaySearches& ways, const JobContext& job) {
     const Settings& settings = task.request.settings;
     const Machine& machine = task.request.machine;
     std::vector<Leg> legs = swathLegs(task.laid.swaths, task.ordered.route, machine);
@@ -37,6 +40,13 @@ std::vector<Leg> legsOf(const DriveTask& task) {
             drive.after = legs.front().line.start;
         } else if (!legs.empty()) {
             drive.before = legs.back().line.end();
+        }
+        if (settings.flag(kStayInside) && !task.request.draft) {
+            drive.searched = [&](const Pose& leaving, const Pose& arriving) {
+                return ways.between(leaving, arriving, job, SearchEffort::Thorough)
+                    .transform(
+                        [&](const Curve& way) { return drivenDuration(way, leaving, arriving, machine); });
+            };
         }
         const std::vector<Leg> passes =
             headlandLegs(task.headland.drivenPasses, drive, machine, otherTurns(settings));
@@ -89,8 +99,8 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
                             return way ? way : folding.folded(leaving, arriving, part, effort);
                         }}};
     FoldingWays* const narrower = foldsNarrower(machine) ? &folding : nullptr;
-    auto [legs, passedOver] =
-        liftedOver(legsOf(task), field.passable(), machine, machine.spec().implement.length);
+    auto [legs, passedOver] = liftedOver(legsOf(task, *room->raised, job.withoutProgress()), field.passable(),
+                                         machine, machine.spec().implement.length);
     if (std::ranges::none_of(legs, &Leg::implementDown)) {
         return std::unexpected(nothingWorked(field));
     }

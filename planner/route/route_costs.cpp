@@ -110,10 +110,7 @@ double RouteCosts::costOf(Length length, Duration time, double FuelUse::* litres
 
 double RouteCosts::costOf(const Curve& way, const Pose& from, const Pose& to) const {
     const Machine& machine = task_.machine;
-    Duration time = roughDuration(way, from, to, machine);
-    if (isDrivenAsTransfer(way, machine)) {
-        time = time * (machine.spec().tractor.turningSpeed / machine.spec().tractor.transferSpeed);
-    }
+    const Duration time = drivenDuration(way, from, to, machine);
     const Implement& implement = machine.spec().implement;
     return costOf(way.length(),
                   std::max(time + steering(way, machine), implement.liftTime + implement.lowerTime));

@@ -65,6 +65,12 @@ Duration roughDuration(const Curve& way, const Pose& from, const Pose& to, const
     return sum;
 }
 
+Duration drivenDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine) {
+    const Tractor& tractor = machine.spec().tractor;
+    const Duration time = roughDuration(way, from, to, machine);
+    return isDrivenAsTransfer(way, machine) ? time * (tractor.turningSpeed / tractor.transferSpeed) : time;
+}
+
 const Method<TurnPlanner> kStraightMethod{
     .info = {.id = "straight",
              .name = "On the spot",

@@ -24,6 +24,8 @@ Duration turningOnTheSpot(const Curve& way, const Pose& from, const Pose& to, co
 /// The time of a way between two poses, with what it turns on the spot. If it is straight from turn to turn,
 /// speeding up and braking count.
 Duration roughDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
+/// The same, with a transfer at its speed.
+Duration drivenDuration(const Curve& way, const Pose& from, const Pose& to, const Machine& machine);
 
 extern const Method<TurnPlanner> kStraightMethod;
 
