@@ -111,10 +111,10 @@ Note noteOf(const PreferredHeading& preferred, SwathObjective objective) {
     Message text = message("swaths run {}", along);
     if (objective == SwathObjective::Time) {
         const Duration slower = chosen.time - best.time;
-        text =
-            slower.si() >= kWorthTelling
-                ? message("swaths run {}; {} slower than with the best heading", along, timeMessage(slower))
-                : message("swaths run {}; as quick as with the best heading", along);
+        text = slower.si() >= kWorthTelling
+                   ? message("swaths run {}; about {} slower than with the best heading", along,
+                             timeMessage(slower))
+                   : message("swaths run {}; as quick as with the best heading", along);
     } else if (objective == SwathObjective::Length) {
         const double moreM = (chosen.length + chosen.missed - best.length - best.missed).si();
         text = moreM >= kWorthTelling
