@@ -6196,8 +6196,8 @@
         <translation>die Spuren verlaufen %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 slower than with the best heading</source>
-        <translation>die Spuren verlaufen %1; %2 langsamer als mit der besten Richtung</translation>
+        <source>swaths run %1; about %2 slower than with the best heading</source>
+        <translation>die Spuren verlaufen %1; etwa %2 langsamer als mit der besten Richtung</translation>
     </message>
     <message>
         <source>swaths run %1; as quick as with the best heading</source>
@@ -9514,12 +9514,12 @@
         <translation>Erster Plan · wird verbessert …</translation>
     </message>
     <message>
-        <source>First plan · comparing plan %1 of %2 …</source>
-        <translation>Erster Plan · vergleicht Plan %1 von %2 …</translation>
+        <source>First plan · comparing plan %1 …</source>
+        <translation>Erster Plan · vergleicht Plan %1 …</translation>
     </message>
     <message>
-        <source>Planning … · comparing plan %1 of %2</source>
-        <translation>Wird geplant … · vergleicht Plan %1 von %2</translation>
+        <source>Planning … · comparing plan %1</source>
+        <translation>Wird geplant … · vergleicht Plan %1</translation>
     </message>
 </context>
 <context>

@@ -6196,8 +6196,8 @@
         <translation>las pasadas van %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 slower than with the best heading</source>
-        <translation>las pasadas van %1; %2 más que con la mejor dirección</translation>
+        <source>swaths run %1; about %2 slower than with the best heading</source>
+        <translation>las pasadas van %1; unos %2 más que con la mejor dirección</translation>
     </message>
     <message>
         <source>swaths run %1; as quick as with the best heading</source>
@@ -9514,12 +9514,12 @@
         <translation>Primer plan · mejorándolo…</translation>
     </message>
     <message>
-        <source>First plan · comparing plan %1 of %2 …</source>
-        <translation>Primer plan · comparando plan %1 de %2…</translation>
+        <source>First plan · comparing plan %1 …</source>
+        <translation>Primer plan · comparando plan %1…</translation>
     </message>
     <message>
-        <source>Planning … · comparing plan %1 of %2</source>
-        <translation>Planificando… · comparando plan %1 de %2</translation>
+        <source>Planning … · comparing plan %1</source>
+        <translation>Planificando… · comparando plan %1</translation>
     </message>
 </context>
 <context>

@@ -6196,8 +6196,8 @@
         <translation>les passages vont %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 slower than with the best heading</source>
-        <translation>les passages vont %1 ; %2 de plus qu&apos;avec la meilleure orientation</translation>
+        <source>swaths run %1; about %2 slower than with the best heading</source>
+        <translation>les passages vont %1 ; environ %2 de plus qu&apos;avec la meilleure orientation</translation>
     </message>
     <message>
         <source>swaths run %1; as quick as with the best heading</source>
@@ -9514,12 +9514,12 @@
         <translation>Premier plan · en cours d&apos;amélioration…</translation>
     </message>
     <message>
-        <source>First plan · comparing plan %1 of %2 …</source>
-        <translation>Premier plan · comparaison du plan %1 sur %2…</translation>
+        <source>First plan · comparing plan %1 …</source>
+        <translation>Premier plan · comparaison du plan %1…</translation>
     </message>
     <message>
-        <source>Planning … · comparing plan %1 of %2</source>
-        <translation>Planification… · comparaison du plan %1 sur %2</translation>
+        <source>Planning … · comparing plan %1</source>
+        <translation>Planification… · comparaison du plan %1</translation>
     </message>
 </context>
 <context>

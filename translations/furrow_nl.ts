@@ -6196,8 +6196,8 @@
         <translation>de werkgangen lopen %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 slower than with the best heading</source>
-        <translation>de werkgangen lopen %1; %2 langzamer dan met de beste richting</translation>
+        <source>swaths run %1; about %2 slower than with the best heading</source>
+        <translation>de werkgangen lopen %1; ongeveer %2 langzamer dan met de beste richting</translation>
     </message>
     <message>
         <source>swaths run %1; as quick as with the best heading</source>
@@ -9514,12 +9514,12 @@
         <translation>Eerste plan · wordt verbeterd…</translation>
     </message>
     <message>
-        <source>First plan · comparing plan %1 of %2 …</source>
-        <translation>Eerste plan · vergelijkt plan %1 van %2…</translation>
+        <source>First plan · comparing plan %1 …</source>
+        <translation>Eerste plan · vergelijkt plan %1…</translation>
     </message>
     <message>
-        <source>Planning … · comparing plan %1 of %2</source>
-        <translation>Bezig met plannen… · vergelijkt plan %1 van %2</translation>
+        <source>Planning … · comparing plan %1</source>
+        <translation>Bezig met plannen… · vergelijkt plan %1</translation>
     </message>
 </context>
 <context>

@@ -6196,8 +6196,8 @@
         <translation>as passadas vão %1</translation>
     </message>
     <message>
-        <source>swaths run %1; %2 slower than with the best heading</source>
-        <translation>as passadas vão %1; %2 a mais que com a melhor direção</translation>
+        <source>swaths run %1; about %2 slower than with the best heading</source>
+        <translation>as passadas vão %1; cerca de %2 a mais que com a melhor direção</translation>
     </message>
     <message>
         <source>swaths run %1; as quick as with the best heading</source>
@@ -9514,12 +9514,12 @@
         <translation>Primeiro plano · sendo melhorado…</translation>
     </message>
     <message>
-        <source>First plan · comparing plan %1 of %2 …</source>
-        <translation>Primeiro plano · comparando plano %1 de %2…</translation>
+        <source>First plan · comparing plan %1 …</source>
+        <translation>Primeiro plano · comparando plano %1…</translation>
     </message>
     <message>
-        <source>Planning … · comparing plan %1 of %2</source>
-        <translation>Planejando… · comparando plano %1 de %2</translation>
+        <source>Planning … · comparing plan %1</source>
+        <translation>Planejando… · comparando plano %1</translation>
     </message>
 </context>
 <context>

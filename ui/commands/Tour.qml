@@ -30,6 +30,8 @@ Item {
     ]
     /// What it takes of the width at the right.
     readonly property real takenWidth: running ? card.width + 16 : 0
+    /// On a small map only the next task is listed: the others would cover the field.
+    readonly property bool compact: height < 720
     property string machineAtStart: ""
     property Item place: null
     /// A task was pressed: what it is about should open.
@@ -95,7 +97,8 @@ Item {
 
                     objectName: "tour.title"
                     anchors.verticalCenter: parent.verticalCenter
-                    text: root.finished ? qsTr("That is all") : qsTr("First things")
+                    text: root.finished ? qsTr("That is all")
+                        : root.compact ? `${qsTr("First things")} · ${root.done.indexOf(false) + 1}/${root.tasks.length}` : qsTr("First things")
                     font.pixelSize: Theme.titleSize
                     font.weight: Font.DemiBold
                 }
@@ -123,6 +126,7 @@ Item {
                     readonly property bool pointed: hovered || visualFocus
 
                     objectName: "tour.task." + index
+                    visible: !root.compact || isNext || root.finished
                     width: column.width
                     height: Math.max(34, texts.implicitHeight + 14)
                     focusPolicy: Qt.StrongFocus

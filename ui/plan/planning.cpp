@@ -107,9 +107,10 @@ QString Planning::planningText() const {
     if (known == 0) {
         return shown_.isDraft() ? tr("First plan · being improved …") : tr("Planning …");
     }
+    // Their number grows meanwhile: the bar tells how much is done.
     const int current = std::min(done + 1, known);
-    return shown_.isDraft() ? tr("First plan · comparing plan %1 of %2 …").arg(current).arg(known)
-                            : tr("Planning … · comparing plan %1 of %2").arg(current).arg(known);
+    return shown_.isDraft() ? tr("First plan · comparing plan %1 …").arg(current)
+                            : tr("Planning … · comparing plan %1").arg(current);
 }
 
 void Planning::cancel() {
