@@ -22,7 +22,7 @@ Bounds boundsOf(const Ring& ring) {
 }  // namespace
 
 FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
-                         const BoundaryDistance& edges) {
+                         const BoundaryDistance& edges, double noLessM) {
     const double reachM = edges.reachM();
     FootprintRoom room{reachM, reachM};
     const Point ahead = direction(pose.heading.si());
@@ -40,6 +40,9 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
         const double insideM =
             edges.insideM(pose.position + corner.x * ahead + corner.y * left).value_or(reachM);
         room.edgesM = std::min(room.edgesM, insideM);
+        if (room.edgesM < noLessM) {
+            return room;
+        }
         if (insideM > freeM) {
             free = corner;
             freeM = insideM;

@@ -3,6 +3,8 @@
 #include "planner/geometry/boundary_distance.h"
 #include "planner/geometry/curve.h"
 
+#include <limits>
+
 namespace furrow {
 
 /// Whether a footprint stays inside the edges along a turn, tested at places no farther apart than `step`.
@@ -19,8 +21,10 @@ struct FootprintRoom {
     double least() const { return edgesM < cornersM ? edgesM : cornersM; }
 };
 /// @param radiusM  of the footprint
+/// @param noLessM  where the least is below this, some value below it is returned: quicker
 FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
-                         const BoundaryDistance& edges);
+                         const BoundaryDistance& edges,
+                         double noLessM = -std::numeric_limits<double>::infinity());
 /// From the reference point to the farthest corner.
 double radiusOf(const Ring& footprint);
 

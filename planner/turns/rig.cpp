@@ -57,19 +57,22 @@ Rig::Rig(const AllowedAreas& areas, const Machine& machine, ImplementAt implemen
       trailedRadiusM_{radiusM(true)},
       edges_{areas, metres(1.0 + std::max(tractorRadiusM_, trailedRadiusM_))} {}
 
-FootprintRoom Rig::roomAround(const Part& part, const Pose& pose) const {
+FootprintRoom Rig::roomAround(const Part& part, const Pose& pose, double noLessM) const {
     const BoundaryDistance& edges = edgesFor(part);
     const double inside = edges.insideM(pose.position).value_or(edges.reachM());
     if (inside > part.radiusM) {
         return {inside - part.radiusM, inside - part.radiusM};
     }
-    return furrow::roomAround(pose, part.shape, part.radiusM, edges);
+    return furrow::roomAround(pose, part.shape, part.radiusM, edges, noLessM);
 }
 
-FootprintRoom Rig::roomAt(const RigState& state) const {
-    FootprintRoom least = roomAround(parts_.front(), poseOf(parts_.front(), state));
+FootprintRoom Rig::roomAt(const RigState& state, double noLessM) const {
+    FootprintRoom least = roomAround(parts_.front(), poseOf(parts_.front(), state), noLessM);
     for (const Part& part : parts_ | std::views::drop(1)) {
-        const FootprintRoom room = roomAround(part, poseOf(part, state));
+        if (least.least() < noLessM) {
+            break;
+        }
+        const FootprintRoom room = roomAround(part, poseOf(part, state), noLessM);
         least = {std::min(least.edgesM, room.edgesM), std::min(least.cornersM, room.cornersM)};
     }
     return least;
@@ -182,7 +185,7 @@ std::optional<RigState> Rig::drivenOn(const RigState& from, const CurvePiece& pi
         return RigState{advanced(from.tractor, piece, piece.length), from.implement};
     }
     const auto roomIfInside = [&](const RigState& state) -> std::optional<FootprintRoom> {
-        const FootprintRoom here = roomAt(state);
+        const FootprintRoom here = roomAt(state, -touching.si());
         // If its own corners lie along an edge and a corner of the field along its side, an edge may come
         // in between.
         const bool isOutside = here.least() < -touching.si() ||
@@ -230,7 +233,7 @@ bool Rig::isOutsideAtAnEnd(RigState state, const Curve& turn) const {
             return false;
         }
         state = stateAfter(state, state, piece, piece.length);
-        if (roomAt(state).least() < -kContactM) {
+        if (roomAt(state, -kContactM).least() < -kContactM) {
             return true;
         }
     }

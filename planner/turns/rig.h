@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -42,7 +43,9 @@ public:
     /// outside.
     double roomM(const RigState& state) const;
 
-    FootprintRoom roomAt(const RigState& state) const;
+    /// @param noLessM  where the least is below this, some value below it is returned: quicker
+    FootprintRoom roomAt(const RigState& state,
+                         double noLessM = -std::numeric_limits<double>::infinity()) const;
 
     /// The state after a piece of a turn. Empty as soon as something is outside. The sampling depends on the
     /// room; an excess between two samples is at most a millimetre or two.
@@ -100,7 +103,7 @@ private:
     /// Whether the end of a piece is outside: a quick look before the whole turn is followed. Looks no
     /// farther than the first piece whose end takes steps.
     bool isOutsideAtAnEnd(RigState state, const Curve& turn) const;
-    FootprintRoom roomAround(const Part& part, const Pose& pose) const;
+    FootprintRoom roomAround(const Part& part, const Pose& pose, double noLessM) const;
     /// Whether a part is known to stay inside if it goes straight on, or back if `wayM` is negative.
     bool isClearAhead(const Part& part, const Pose& pose, double wayM, double touchingM) const;
     bool isClearAhead(const RigState& state, double wayM, double touchingM) const;
