@@ -1,6 +1,7 @@
 #include "planner/path/pass_placing.h"
 
 #include "planner/geometry/tolerances.h"
+#include "planner/headland/smooth_ring.h"
 #include "planner/path/headland_order.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
@@ -25,13 +26,21 @@ constexpr std::size_t kMostPlacesSearched = 3;
 // Where no way leads to so many short passes, none is searched to the others: each takes some tenths of a
 // second.
 constexpr std::size_t kMostRefused = 25;
+// Longer passes keep their place in the headland.
+constexpr Length kShortPass = metres(40.0);
+// A short pass is moved where that saves so much.
+constexpr Duration kWorthMoving = seconds(15.0);
 
 /// The gaps between legs, as the leg that follows, with the shortest straight detours to a pass; nearest
 /// first.
 std::vector<std::size_t> gapsBeside(const Pose& start, const Pose& end, const std::vector<Leg>& legs,
                                     const std::vector<Pose>& ends, std::size_t most) {
     std::vector<std::pair<double, std::size_t>> gaps;
-    for (std::size_t i = 0; i <= legs.size(); ++i) {
+    // Nothing comes before the way in at a gate, or after the way out.
+    const auto isGateWay = [](const Leg& leg) { return leg.kind == SegmentKind::Transfer; };
+    const std::size_t first = !legs.empty() && isGateWay(legs.front()) ? 1 : 0;
+    const std::size_t last = !legs.empty() && isGateWay(legs.back()) ? legs.size() - 1 : legs.size();
+    for (std::size_t i = first; i <= last; ++i) {
         const double toM = i > 0 ? distance(ends[i - 1].position, start.position) : 0.0;
         const double onM = i < legs.size() ? distance(end.position, legs[i].line.start.position) : 0.0;
         const double directM =
@@ -56,13 +65,35 @@ public:
         : legs_{std::move(legs)}, ends_{endsOf(legs_)}, ways_{ways}, machine_{machine}, job_{job} {}
 
     /// False where no way leads to it or on from it.
-    bool add(const HeadlandPass& pass) {
-        const auto place = quickestPlace(pass.stretches.front());
+    bool add(HeadlandPass pass) {
+        PassStretch& stretch = pass.stretches.front();
+        auto place = quickestPlace(stretch);
         if (!place) {
             return false;
         }
-        put(pass, *place);
+        stretch.line = place->line;
+        stretch.otherWay.reset();
+        put(legOf(pass, stretch), *place);
+        passes_.push_back(std::move(pass));
         return true;
+    }
+
+    /// Moves short headland passes to where they take much less time. Whether there were any.
+    bool moveShort(const Rig& lowered) {
+        bool isMoved = false;
+        for (std::size_t i = 1; i + 1 < legs_.size(); ++i) {
+            while (i + 1 < legs_.size() && isAloneAndShort(i)) {
+                const auto place = betterPlace(i, lowered);
+                if (!place) {
+                    break;
+                }
+                isMoved = true;
+                if (place->before <= i) {
+                    break;
+                }
+            }
+        }
+        return isMoved;
     }
 
     const std::vector<HeadlandPass>& passes() const { return passes_; }
@@ -72,16 +103,67 @@ private:
     struct Place {
         std::size_t before = 0;  ///< this leg
         Curve line;
+        Duration added;
     };
 
-    void put(HeadlandPass pass, const Place& place) {
-        PassStretch& stretch = pass.stretches.front();
-        stretch.line = place.line;
-        stretch.otherWay.reset();
+    void put(Leg leg, const Place& place) {
         const auto before = static_cast<std::ptrdiff_t>(place.before);
-        legs_.insert(legs_.begin() + before, legOf(pass, stretch));
         ends_.insert(ends_.begin() + before, place.line.end());
-        passes_.push_back(std::move(pass));
+        leg.line = place.line;
+        legs_.insert(legs_.begin() + before, std::move(leg));
+    }
+
+    Leg takeOut(std::size_t i) {
+        Leg leg = std::move(legs_[i]);
+        legs_.erase(legs_.begin() + static_cast<std::ptrdiff_t>(i));
+        ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(i));
+        return leg;
+    }
+
+    /// Of one stretch, with ways before and behind it.
+    bool isAloneAndShort(std::size_t i) const {
+        const Leg& leg = legs_[i];
+        return leg.kind == SegmentKind::HeadlandPass && leg.line.length() < kShortPass &&
+               distance(ends_[i - 1].position, leg.line.start.position) > kMeetM &&
+               distance(ends_[i].position, legs_[i + 1].line.start.position) > kMeetM;
+    }
+
+    /// The time that a leg adds between the legs beside it, if that is much.
+    std::optional<Duration> muchAdded(std::size_t i) const {
+        const Pose& before = ends_[i - 1];
+        const Pose& after = legs_[i + 1].line.start;
+        const auto there = inTheField(before, legs_[i].line.start, SearchEffort::Thorough);
+        const auto on = there ? inTheField(ends_[i], after, SearchEffort::Thorough) : std::nullopt;
+        // In free space the way without it is no slower.
+        if (!on || *there + *on - inFreeSpace(before, after) < kWorthMoving) {
+            return std::nullopt;
+        }
+        return inTheField(before, after).and_then([&](Duration direct) {
+            const Duration added = *there + *on - direct;
+            return added < kWorthMoving ? std::nullopt : std::optional{added};
+        });
+    }
+
+    /// Moves a leg to another place, or turns it round, if that saves much.
+    std::optional<Place> betterPlace(std::size_t i, const Rig& lowered) {
+        const auto added = muchAdded(i);
+        if (!added) {
+            return std::nullopt;
+        }
+        const Place old{.before = i, .line = legs_[i].line, .added = *added};
+        PassStretch stretch{.line = old.line};
+        // The nose is at the place of the tail, so it must be tested.
+        Curve back = reversedLine(old.line);
+        if (lowered.driven(Rig::inLine(back.start), back)) {
+            stretch.otherWay = std::move(back);
+        }
+        Leg leg = takeOut(i);
+        auto place = quickestPlace(stretch);
+        if (place && place->added + kWorthMoving > *added) {
+            place.reset();
+        }
+        put(std::move(leg), place.value_or(old));
+        return place;
     }
 
     /// Of the gaps near it and both directions, by the time that it adds. In free space ways are no slower,
@@ -124,7 +206,7 @@ private:
                 [this](const Pose& leaving, const Pose& arriving) { return inTheField(leaving, arriving); });
             if (time && (!quickest || *time < least)) {
                 least = *time;
-                quickest = Place{.before = option.before, .line = *option.line};
+                quickest = Place{.before = option.before, .line = *option.line, .added = *time};
             }
         }
         return quickest;
@@ -151,8 +233,9 @@ private:
         return roughDuration(connection(leaving, arriving, machine_, kBestFeasibleMethod.run), leaving,
                              arriving, machine_);
     }
-    std::optional<Duration> inTheField(const Pose& leaving, const Pose& arriving) const {
-        return ways_(leaving, arriving, job_, SearchEffort::Quick).transform([&](const Curve& way) {
+    std::optional<Duration> inTheField(const Pose& leaving, const Pose& arriving,
+                                       SearchEffort effort = SearchEffort::Quick) const {
+        return ways_(leaving, arriving, job_, effort).transform([&](const Curve& way) {
             return roughDuration(way, leaving, arriving, machine_);
         });
     }
@@ -166,6 +249,10 @@ private:
 };
 
 }  // namespace
+
+bool isShortPass(const HeadlandPass& pass) {
+    return !pass.closed && pass.stretches.size() == 1 && pass.length() < kShortPass;
+}
 
 std::vector<Pose> endsOf(const std::vector<Leg>& legs) {
     std::vector<Pose> ends;
@@ -193,9 +280,15 @@ PassAccess accessTo(const Curve& line, const std::vector<Leg>& legs, const std::
     return access;
 }
 
-FinishedLegs withFinishingPasses(std::vector<Leg> given, const std::vector<HeadlandPass>& passes,
-                                 RememberedWays& ways, const Machine& machine, const JobContext& job) {
-    FinishedLegs finished{.legs = {}, .put = {}, .refused = {}};
+std::optional<std::vector<Leg>> withShortPassesMoved(std::vector<Leg> legs, RememberedWays& ways,
+                                                     const Rig& lowered, const JobContext& job) {
+    PassPlacing placing{std::move(legs), ways, lowered.machine(), job};
+    return placing.moveShort(lowered) ? std::optional{std::move(placing).legs()} : std::nullopt;
+}
+
+PlacedPasses withPassesBetween(std::vector<Leg> given, const std::vector<HeadlandPass>& passes,
+                               RememberedWays& ways, const Machine& machine, const JobContext& job) {
+    PlacedPasses finished{.legs = {}, .put = {}, .refused = {}};
     PassPlacing placing{std::move(given), ways, machine, job};
     for (const HeadlandPass& pass : passes) {
         if (finished.refused.size() >= kMostRefused || !placing.add(pass)) {

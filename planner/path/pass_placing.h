@@ -4,7 +4,9 @@
 #include "planner/headland/headland.h"
 #include "planner/path/path_builder.h"
 #include "planner/path/remembered_ways.h"
+#include "planner/turns/rig.h"
 
+#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -17,7 +19,10 @@ PassAccess accessTo(const Curve& line, const std::vector<Leg>& legs, const std::
 /// The poses at which the legs end. Those of long lines take time, and are asked for again and again.
 std::vector<Pose> endsOf(const std::vector<Leg>& legs);
 
-struct FinishedLegs {
+/// Whether a headland pass is so short that its place among the legs may be anywhere.
+bool isShortPass(const HeadlandPass& pass);
+
+struct PlacedPasses {
     std::vector<Leg> legs;
     std::vector<HeadlandPass> put;
     std::vector<HeadlandPass> refused;  ///< no way in or out was found
@@ -25,7 +30,16 @@ struct FinishedLegs {
 
 /// The same legs with short passes in between, each where it adds least time of the places near it, and in
 /// the direction that does, with ways that are quickly found.
-FinishedLegs withFinishingPasses(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
-                                 RememberedWays& ways, const Machine& machine, const JobContext& job);
+PlacedPasses withPassesBetween(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes,
+                               RememberedWays& ways, const Machine& machine, const JobContext& job);
+
+/// The same legs with short headland passes at other places among them, or in the other direction, where the
+/// ways to a pass and on from it are much quicker. Empty if none is moved.
+///
+/// @param lowered  the rig for driving a pass, implement down
+/// Cost: lookups if the ways between the legs were found before; some quick searches for each pass with long
+/// ways.
+std::optional<std::vector<Leg>> withShortPassesMoved(std::vector<Leg> legs, RememberedWays& ways,
+                                                     const Rig& lowered, const JobContext& job);
 
 }  // namespace furrow

@@ -148,28 +148,139 @@ Result<std::optional<FullLockPasses>> fullLockPasses(const DriveTask& task, cons
         .transform([](FullLockPasses&& made) { return std::optional{std::move(made)}; });
 }
 
+/// Passes over the land that a driven path leaves, round by round.
+class FinishingRounds {
+public:
+    /// What stays the same in all rounds.
+    struct Given {
+        const DriveTask& task;
+        const PathOverLegs& path;
+        RememberedWays& ways;
+        FoldingWays* folding = nullptr;
+        const AllowedAreas& ground;
+        const MultiPolygon& land;  ///< that may be worked
+        const Rig& lowered;
+        const std::optional<PlanToBeat>& toBeat;
+    };
+
+    /// @param legs  those of the driven path, before and after
+    FinishingRounds(const Given& given, Driven driven, std::vector<Leg>& legs)
+        : given_{given}, driven_{std::move(driven)}, legs_{legs}, ends_{endsOf(legs)} {}
+
+    Result<Driven> run(const JobContext& job) && {
+        auto bends = fullLockPasses(given_.task, given_.lowered, legs_, ends_, given_.ways, given_.folding,
+                                    given_.ground, given_.path.room().bends, job);
+        if (!bends) {
+            return std::unexpected(bends.error());
+        }
+        bends_ = *std::move(bends);
+        for (int round = 0; round < kFinishingRounds && leavesTooMuch(driven_); ++round) {
+            const auto goesOn = runOne(
+                job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds));
+            if (!goesOn) {
+                return std::unexpected(goesOn.error());
+            }
+            if (!*goesOn) {
+                break;
+            }
+        }
+        return std::move(driven_);
+    }
+
+private:
+    /// False where another round would find nothing.
+    Result<bool> runOne(const JobContext& job) {
+        const auto passes = passesToTry(job.part(0.0, 0.2));
+        if (!passes) {
+            return std::unexpected(passes.error());
+        }
+        PlacedPasses more = placed(*passes, job);
+        refuse(more.refused);
+        if (more.put.empty()) {
+            return !more.refused.empty() || !std::exchange(untilTheLeast_, true);
+        }
+        std::vector<HeadlandPass> finishing = driven_.finishing;
+        finishing.insert(finishing.end(), more.put.begin(), more.put.end());
+        auto finished = given_.path.drive(more.legs, std::move(finishing), given_.toBeat, job.part(0.2, 1.0));
+        if (!finished) {
+            return std::unexpected(finished.error());
+        }
+        finished->auditing += driven_.auditing;
+        if (isWorse(*finished, driven_)) {
+            const std::vector<HeadlandPass> blamed = blamedPasses(*finished, driven_, more.put);
+            refuse(blamed);
+            return !blamed.empty();
+        }
+        if (leavesTooMuch(*finished) && finished->audit.left > driven_.audit.left - kWorksNothing) {
+            refuse(more.put);
+            return true;
+        }
+        driven_ = *std::move(finished);
+        legs_ = std::move(more.legs);
+        ends_ = endsOf(legs_);
+        untilTheLeast_ = true;
+        return true;
+    }
+
+    Result<std::vector<HeadlandPass>> passesToTry(const JobContext& job) {
+        const Area hairs = driven_.audit.left - area(driven_.audit.leftAreas);
+        return finishingPasses({.workable = given_.land,
+                                .left = driven_.audit.leftAreas,
+                                .mayStay = kMayStayShare * driven_.audit.workable - hairs,
+                                .mayStayInOnePiece = kMayStayInOnePiece,
+                                .lowered = given_.lowered,
+                                .bends = bends_ ? &*bends_ : nullptr,
+                                .leftOnPurpose = driven_.leftOnPurpose,
+                                .refused = refused_,
+                                .most = kMostFinishingPasses - driven_.finishing.size(),
+                                .untilTheLeast = untilTheLeast_},
+                               job);
+    }
+
+    /// Those to which no way leads are tried by folded ways, too.
+    PlacedPasses placed(const std::vector<HeadlandPass>& passes, const JobContext& job) const {
+        const Machine& machine = given_.task.request.machine;
+        PlacedPasses more = withPassesBetween(legs_, passes, given_.ways, machine, job);
+        if (given_.folding != nullptr && !more.refused.empty()) {
+            PlacedPasses folded =
+                withPassesBetween(std::move(more.legs), more.refused, given_.folding->either, machine, job);
+            more.legs = std::move(folded.legs);
+            more.refused = std::move(folded.refused);
+            std::ranges::move(folded.put, std::back_inserter(more.put));
+        }
+        return more;
+    }
+
+    void refuse(const std::vector<HeadlandPass>& passes) {
+        std::ranges::transform(passes, std::back_inserter(refused_),
+                               [](const HeadlandPass& pass) { return pass.stretches.front(); });
+    }
+
+    Given given_;
+    Driven driven_;
+    std::vector<Leg>& legs_;
+    std::vector<Pose> ends_;
+    std::optional<FullLockPasses> bends_;
+    std::vector<PassStretch> refused_;
+    bool untilTheLeast_ = false;  ///< once the passes that work much are there, or there are none
+};
+
 }  // namespace
 
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg>& legs,
                            const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
-                           const AllowedAreas& ground, std::optional<PlanToBeat> toBeat,
+                           const AllowedAreas& ground, const std::optional<PlanToBeat>& toBeat,
                            const JobContext& job) {
     if (!mayFinish(task) || !leavesTooMuch(driven) || isBeyondMending(driven.findings)) {
         return driven;
     }
-    if (toBeat && !mayBeatFinished(*toBeat, task.request.machine, driven)) {
+    const Machine& machine = task.request.machine;
+    if (toBeat && !mayBeatFinished(*toBeat, machine, driven)) {
         return std::unexpected(noBetter(*task.request.field));
     }
-    const Machine& machine = task.request.machine;
     const auto timeOf = [&](const Driven& one) { return timeForAll(machine, one.path, one.audit); };
     const Duration before = timeOf(driven);
     const Area left = driven.audit.left;
-    const Rig lowered{ground, task.request.machine, ImplementAt::Lowered};
-    std::vector<Pose> ends = endsOf(legs);
-    auto bends = fullLockPasses(task, lowered, legs, ends, ways, folding, ground, path.room().bends, job);
-    if (!bends) {
-        return std::unexpected(bends.error());
-    }
     const MultiPolygon& workable = task.request.field->workable();
     const Length margin = task.ground->margin;
     const auto land =
@@ -177,69 +288,23 @@ Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg
     if (!land) {
         return std::unexpected(land.error());
     }
-    std::vector<PassStretch> refused;
-    const auto refuse = [&refused](const HeadlandPass& pass) { refused.push_back(pass.stretches.front()); };
-    bool untilTheLeast = false;  // once the passes that work much are there, or there are none
-    for (int round = 0; round < kFinishingRounds && leavesTooMuch(driven); ++round) {
-        const JobContext part =
-            job.part(static_cast<double>(round) / kFinishingRounds, (round + 1.0) / kFinishingRounds);
-        const Area hairs = driven.audit.left - area(driven.audit.leftAreas);
-        const auto passes = finishingPasses({.workable = *land,
-                                             .left = driven.audit.leftAreas,
-                                             .mayStay = kMayStayShare * driven.audit.workable - hairs,
-                                             .mayStayInOnePiece = kMayStayInOnePiece,
-                                             .lowered = lowered,
-                                             .bends = *bends ? &**bends : nullptr,
-                                             .leftOnPurpose = driven.leftOnPurpose,
-                                             .refused = refused,
-                                             .most = kMostFinishingPasses - driven.finishing.size(),
-                                             .untilTheLeast = untilTheLeast},
-                                            part.part(0.0, 0.2));
-        if (!passes) {
-            return std::unexpected(passes.error());
-        }
-        FinishedLegs more = withFinishingPasses(legs, *passes, ways, machine, part);
-        if (folding != nullptr && !more.refused.empty()) {
-            FinishedLegs folded =
-                withFinishingPasses(std::move(more.legs), more.refused, folding->either, machine, part);
-            more.legs = std::move(folded.legs);
-            more.refused = std::move(folded.refused);
-            std::ranges::move(folded.put, std::back_inserter(more.put));
-        }
-        std::ranges::for_each(more.refused, refuse);
-        if (more.put.empty()) {
-            if (more.refused.empty() && std::exchange(untilTheLeast, true)) {
-                break;
-            }
-            continue;
-        }
-        std::vector<HeadlandPass> finishing = driven.finishing;
-        finishing.insert(finishing.end(), more.put.begin(), more.put.end());
-        auto finished = path.drive(more.legs, std::move(finishing), toBeat, part.part(0.2, 1.0));
-        if (!finished) {
-            return finished;
-        }
-        finished->auditing += driven.auditing;
-        if (isWorse(*finished, driven)) {
-            const std::vector<HeadlandPass> blamed = blamedPasses(*finished, driven, more.put);
-            if (blamed.empty()) {
-                break;
-            }
-            std::ranges::for_each(blamed, refuse);
-            continue;
-        }
-        if (leavesTooMuch(*finished) && finished->audit.left > driven.audit.left - kWorksNothing) {
-            std::ranges::for_each(more.put, refuse);
-            continue;
-        }
-        driven = *std::move(finished);
-        legs = std::move(more.legs);
-        ends = endsOf(legs);
-        untilTheLeast = true;
-    }
-    driven.leftBeforeFinishing = left;
-    driven.finishingCost = timeOf(driven) - before;
-    return driven;
+    const Rig lowered{ground, machine, ImplementAt::Lowered};
+    return FinishingRounds{{.task = task,
+                            .path = path,
+                            .ways = ways,
+                            .folding = folding,
+                            .ground = ground,
+                            .land = *land,
+                            .lowered = lowered,
+                            .toBeat = toBeat},
+                           std::move(driven),
+                           legs}
+        .run(job)
+        .transform([&](Driven&& finished) {
+            finished.leftBeforeFinishing = left;
+            finished.finishingCost = timeOf(finished) - before;
+            return std::move(finished);
+        });
 }
 
 }  // namespace furrow

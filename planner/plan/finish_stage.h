@@ -14,7 +14,7 @@ namespace furrow {
 /// Cancelled.
 Result<Driven> finishStage(const DriveTask& task, Driven driven, std::vector<Leg>& legs,
                            const PathOverLegs& path, RememberedWays& ways, FoldingWays* folding,
-                           const AllowedAreas& ground, std::optional<PlanToBeat> toBeat,
+                           const AllowedAreas& ground, const std::optional<PlanToBeat>& toBeat,
                            const JobContext& job);
 
 }  // namespace furrow

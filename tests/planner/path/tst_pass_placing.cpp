@@ -4,6 +4,7 @@
 #include "planner/path/pass_placing.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/connection.h"
+#include "tests/support/field_generator.h"
 #include "tests/support/stages.h"
 #include "tests/support/test_program.h"
 
@@ -44,12 +45,26 @@ Machine cultivator() {
 }
 
 /// Every way in free space.
-FinishedLegs placed(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes) {
-    const Machine machine = cultivator();
-    RememberedWays ways{[&](const Pose& leaving, const Pose& arriving, const JobContext&, SearchEffort) {
-        return std::optional{connection(leaving, arriving, machine, kBestFeasibleMethod.run)};
+RememberedWays freeWays() {
+    return RememberedWays{[](const Pose& leaving, const Pose& arriving, const JobContext&, SearchEffort) {
+        return std::optional{connection(leaving, arriving, cultivator(), kBestFeasibleMethod.run)};
     }};
-    return withFinishingPasses(std::move(legs), passes, ways, machine, {});
+}
+
+PlacedPasses placed(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes) {
+    RememberedWays ways = freeWays();
+    return withPassesBetween(std::move(legs), passes, ways, cultivator(), {});
+}
+
+Leg headlandLeg(Point start, double heading, double lengthM) {
+    return {.kind = SegmentKind::HeadlandPass, .number = 1, .line = line(start, heading, lengthM)};
+}
+
+/// In a field without edges near by.
+std::optional<std::vector<Leg>> moved(std::vector<Leg> legs) {
+    const MultiPolygon field{test::rectangle(10'000.0, 10'000.0, {-5000, -5000})};
+    RememberedWays ways = freeWays();
+    return withShortPassesMoved(std::move(legs), ways, Rig{field, cultivator(), ImplementAt::Lowered}, {});
 }
 
 bool isAt(const Leg& leg, Point start) {
@@ -68,7 +83,7 @@ private slots:
         const Curve north = line({120, 15}, kNorth, 20);
         const Curve south = line({120, 35}, kSouth, 20);
         for (const HeadlandPass& one : {pass(south, north), pass(north, south)}) {
-            const FinishedLegs finished = placed(legs, {one});
+            const PlacedPasses finished = placed(legs, {one});
             QCOMPARE(finished.put.size(), std::size_t{1});
             QVERIFY(finished.refused.empty());
             QCOMPARE(finished.legs.size(), std::size_t{3});
@@ -84,7 +99,7 @@ private slots:
         // turn round twice. At the other one it turns right twice.
         const std::vector<Leg> legs{leg({20, 116}, kSouth, 100), leg({20, -16}, kSouth, 100),
                                     leg({145, -10}, kWest, 100), leg({45, 10}, kEast, 100)};
-        const FinishedLegs finished = placed(legs, {pass(line({20, -10}, kNorth, 20))});
+        const PlacedPasses finished = placed(legs, {pass(line({20, -10}, kNorth, 20))});
         QCOMPARE(finished.legs.size(), std::size_t{5});
         QVERIFY(isAt(finished.legs[3], {20, -10}));
     }
@@ -94,7 +109,7 @@ private slots:
         const HeadlandPass near = pass(line({0, 80}, kNorth, 10));
         const HeadlandPass far = pass(line({0, 120}, kNorth, 10));
         for (const auto& passes : {std::vector{near, far}, std::vector{far, near}}) {
-            const FinishedLegs finished = placed(legs, passes);
+            const PlacedPasses finished = placed(legs, passes);
             QCOMPARE(finished.legs.size(), std::size_t{4});
             QVERIFY(isAt(finished.legs[1], {0, 80}));
             QVERIFY(isAt(finished.legs[2], {0, 120}));
@@ -105,11 +120,58 @@ private slots:
         RememberedWays none{
             [](const Pose&, const Pose&, const JobContext&, SearchEffort) { return std::optional<Curve>{}; }};
         const std::vector<Leg> legs{leg({0, 0}, kNorth, 50), leg({0, 200}, kNorth, 50)};
-        const FinishedLegs finished =
-            withFinishingPasses(legs, {pass(line({0, 80}, kNorth, 10))}, none, machine, {});
+        const PlacedPasses finished =
+            withPassesBetween(legs, {pass(line({0, 80}, kNorth, 10))}, none, machine, {});
         QCOMPARE(finished.refused.size(), std::size_t{1});
         QVERIFY(finished.put.empty());
         QCOMPARE(finished.legs.size(), std::size_t{2});
+    }
+    void noPassComesBeforeTheWayInOrAfterTheWayOut() {
+        // All on one line; by the ways alone both would be first and last.
+        Leg in = leg({0, 0}, kEast, 10);
+        Leg out = leg({190, 0}, kEast, 10);
+        in.kind = out.kind = SegmentKind::Transfer;
+        const std::vector<Leg> legs{in, leg({50, 0}, kEast, 100), out};
+        const PlacedPasses finished =
+            placed(legs, {pass(line({-60, 0}, kEast, 20)), pass(line({240, 0}, kEast, 20))});
+        QCOMPARE(finished.legs.size(), std::size_t{5});
+        QVERIFY(isAt(finished.legs.front(), {0, 0}));
+        QVERIFY(isAt(finished.legs.back(), {190, 0}));
+    }
+    void aShortPassFarOutOfTheWayIsDrivenWhereTheMachineComesBy() {
+        // All on one line to the east. The pass lies between the last two legs.
+        const std::vector<Leg> legs{leg({0, 0}, kEast, 100), headlandLeg({600, 0}, kEast, 20),
+                                    leg({200, 0}, kEast, 100), leg({400, 0}, kEast, 100),
+                                    leg({800, 0}, kEast, 100)};
+        const auto found = moved(legs);
+        QVERIFY(found);
+        QCOMPARE(found->size(), legs.size());
+        QVERIFY(isAt((*found)[1], {200, 0}));
+        QVERIFY(isAt((*found)[3], {600, 0}));
+        QVERIFY((*found)[3].kind == SegmentKind::HeadlandPass);
+    }
+    void aShortPassIsTurnedRoundWhereThatSavesMuch() {
+        // Between two legs to the east it is driven to the west, with a turn round at both ends.
+        const std::vector<Leg> legs{leg({0, 0}, kEast, 100), headlandLeg({170, 0}, kWest, 20),
+                                    leg({220, 0}, kEast, 100)};
+        const auto found = moved(legs);
+        QVERIFY(found);
+        QVERIFY(isAt((*found)[1], {150, 0}));
+    }
+    void otherPassesStay() {
+        // Nothing is to be gained, ...
+        QVERIFY(
+            !moved({leg({0, 0}, kEast, 100), headlandLeg({150, 0}, kEast, 20), leg({220, 0}, kEast, 100)}));
+        // ... it is no short pass, ...
+        QVERIFY(!moved({leg({0, 0}, kEast, 100), headlandLeg({600, 0}, kEast, 60), leg({200, 0}, kEast, 100),
+                        leg({400, 0}, kEast, 100), leg({800, 0}, kEast, 100)}));
+        // ... no pass of the headland, ...
+        QVERIFY(!moved({leg({0, 0}, kEast, 100), leg({600, 0}, kEast, 20), leg({200, 0}, kEast, 100),
+                        leg({400, 0}, kEast, 100), leg({800, 0}, kEast, 100)}));
+        // ... or goes on without a way.
+        QVERIFY(!moved({leg({0, 0}, kEast, 100), headlandLeg({600, 0}, kEast, 20),
+                        headlandLeg({620, 0}, kEast, 60), leg({200, 0}, kEast, 100),
+                        leg({400, 0}, kEast, 100), leg({800, 0}, kEast, 100)}));
     }
 };
 
