@@ -1,16 +1,14 @@
 #include "planner/plan/drive_stage.h"
 
 #include "planner/geometry/geos_bridge.h"
-#include "planner/headland/headland_passes.h"
 #include "planner/path/folded_stretches.h"
-#include "planner/path/headland_order.h"
 #include "planner/path/lifted_legs.h"
 #include "planner/plan/finish_stage.h"
 #include "planner/plan/gate_legs.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/refill_stage.h"
 #include "planner/plan/ways_room.h"
-#include "planner/turns/straight_turn.h"
+#include "planner/plan/work_legs.h"
 
 #include <algorithm>
 #include <iterator>
@@ -23,37 +21,6 @@ namespace {
 
 // Of the progress, where trips to refill points are planned after all else.
 constexpr double kWithoutTrips = 0.6;
-
-/// Headland passes before or after the swaths.
-/// @param ways  in the room of turns
-std::vector<Leg> legsOf(const DriveTask& task, WaySearches& ways, const JobContext& job) {
-    const Settings& settings = task.request.settings;
-    const Machine& machine = task.request.machine;
-    std::vector<Leg> legs = swathLegs(task.laid.swaths, task.ordered.route, machine);
-    if (!task.headland.drivenPasses.empty()) {
-        const bool first = drivesHeadlandFirst(settings);
-        HeadlandDrive drive{.insideOut = drivesInsideOut(settings),
-                            .before = {},
-                            .after = {},
-                            .drivable = task.ground->drivable};
-        if (first && !legs.empty()) {
-            drive.after = legs.front().line.start;
-        } else if (!legs.empty()) {
-            drive.before = legs.back().line.end();
-        }
-        if (settings.flag(kStayInside) && !task.request.draft) {
-            drive.searched = [&](const Pose& leaving, const Pose& arriving) {
-                return ways.between(leaving, arriving, job, SearchEffort::Thorough)
-                    .transform(
-                        [&](const Curve& way) { return drivenDuration(way, leaving, arriving, machine); });
-            };
-        }
-        const std::vector<Leg> passes =
-            headlandLegs(task.headland.drivenPasses, drive, machine, otherTurns(settings));
-        legs.insert(first ? legs.begin() : legs.end(), passes.begin(), passes.end());
-    }
-    return legs;
-}
 
 Error nothingWorked(const Field& field) {
     return {.code = ErrorCode::InputRefused,
@@ -99,8 +66,11 @@ Result<Driven> driveStage(const DriveTask& task, std::optional<PlanToBeat> toBea
                             return way ? way : folding.folded(leaving, arriving, part, effort);
                         }}};
     FoldingWays* const narrower = foldsNarrower(machine) ? &folding : nullptr;
-    auto [legs, passedOver] = liftedOver(legsOf(task, *room->raised, job.withoutProgress()), field.passable(),
-                                         machine, machine.spec().implement.length);
+    const auto work = workLegs(task, *room->raised, room->steering.lowered, job.withoutProgress());
+    if (!work) {
+        return std::unexpected(work.error());
+    }
+    auto [legs, passedOver] = liftedOver(*work, field.passable(), machine, machine.spec().implement.length);
     if (std::ranges::none_of(legs, &Leg::implementDown)) {
         return std::unexpected(nothingWorked(field));
     }
