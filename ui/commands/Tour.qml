@@ -31,7 +31,7 @@ Item {
     /// What it takes of the width at the right.
     readonly property real takenWidth: running ? card.width + 16 : 0
     /// On a small map only the next task is listed: the others would cover the field. An empty map has none.
-    readonly property bool compact: height < 720 || (hasField && width < 1000)
+    readonly property bool compact: height < 720 || (hasField && width < 1400)
     property string machineAtStart: ""
     property Item place: null
     /// A task was pressed: what it is about should open.

@@ -247,6 +247,15 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session_->planning()->state(), PlanState::Ready, kPatienceMs);
         QCOMPARE(session_->farm()->fieldName(), QStringLiteral("Home Field"));
         QTRY_VERIFY(isDone(0) && !isDone(1));
+        // Beside a field the next thing only: the whole list would cover it.
+        const QSize large{1440, 900};
+        window_->resize(large);
+        QTRY_VERIFY(item(QStringLiteral("tour"))->width() > 1100.0);
+        waitForRest(*item(QStringLiteral("tour.card")));
+        QTRY_VERIFY(placeOf("tour.card").height() < 150.0);
+        picture(QStringLiteral("tour-field"));
+        window_->resize(before);
+        QTRY_COMPARE(window_->size(), before);
         // The machine's step opens; another machine ticks it off.
         click(QStringLiteral("tour.task.1"));
         QTRY_VERIFY(item(QStringLiteral("machine.library")) != nullptr &&
