@@ -78,22 +78,15 @@ public:
         return true;
     }
 
-    /// Moves short headland passes to where they take much less time. Whether there were any.
-    bool moveShort(const Rig& lowered) {
-        bool isMoved = false;
-        for (std::size_t i = 1; i + 1 < legs_.size(); ++i) {
-            while (i + 1 < legs_.size() && isAloneAndShort(i)) {
-                const auto place = betterPlace(i, lowered);
-                if (!place) {
-                    break;
-                }
-                isMoved = true;
-                if (place->before <= i) {
-                    break;
-                }
+    /// Moves short headland passes to where they take much less time.
+    void moveShort(const Rig& lowered) {
+        for (std::size_t i = 1; i + 1 < legs_.size();) {
+            const auto place = isAloneAndShort(i) ? moved(i, lowered) : std::nullopt;
+            // If it went on, the leg after it is here now.
+            if (!place || place->before <= i) {
+                ++i;
             }
         }
-        return isMoved;
     }
 
     const std::vector<HeadlandPass>& passes() const { return passes_; }
@@ -144,8 +137,8 @@ private:
         });
     }
 
-    /// Moves a leg to another place, or turns it round, if that saves much.
-    std::optional<Place> betterPlace(std::size_t i, const Rig& lowered) {
+    /// Moves a leg to another place, or turns it round, if that saves much. Its place then.
+    std::optional<Place> moved(std::size_t i, const Rig& lowered) {
         const auto added = muchAdded(i);
         if (!added) {
             return std::nullopt;
@@ -280,10 +273,11 @@ PassAccess accessTo(const Curve& line, const std::vector<Leg>& legs, const std::
     return access;
 }
 
-std::optional<std::vector<Leg>> withShortPassesMoved(std::vector<Leg> legs, RememberedWays& ways,
-                                                     const Rig& lowered, const JobContext& job) {
+std::vector<Leg> withShortPassesMoved(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered,
+                                      const JobContext& job) {
     PassPlacing placing{std::move(legs), ways, lowered.machine(), job};
-    return placing.moveShort(lowered) ? std::optional{std::move(placing).legs()} : std::nullopt;
+    placing.moveShort(lowered);
+    return std::move(placing).legs();
 }
 
 PlacedPasses withPassesBetween(std::vector<Leg> given, const std::vector<HeadlandPass>& passes,

@@ -6,7 +6,6 @@
 #include "planner/path/remembered_ways.h"
 #include "planner/turns/rig.h"
 
-#include <optional>
 #include <vector>
 
 namespace furrow {
@@ -34,12 +33,12 @@ PlacedPasses withPassesBetween(std::vector<Leg> legs, const std::vector<Headland
                                RememberedWays& ways, const Machine& machine, const JobContext& job);
 
 /// The same legs with short headland passes at other places among them, or in the other direction, where the
-/// ways to a pass and on from it are much quicker. Empty if none is moved.
+/// ways to a pass and on from it are much quicker.
 ///
 /// @param lowered  the rig for driving a pass, implement down
 /// Cost: lookups if the ways between the legs were found before; some quick searches for each pass with long
 /// ways.
-std::optional<std::vector<Leg>> withShortPassesMoved(std::vector<Leg> legs, RememberedWays& ways,
-                                                     const Rig& lowered, const JobContext& job);
+std::vector<Leg> withShortPassesMoved(std::vector<Leg> legs, RememberedWays& ways, const Rig& lowered,
+                                      const JobContext& job);
 
 }  // namespace furrow

@@ -90,15 +90,22 @@ private:
     /// Short passes where they add least in free space.
     std::vector<Leg> withShort(std::vector<Leg> legs, const std::vector<HeadlandPass>& passes) const {
         RememberedWays free{[&](const Pose& leaving, const Pose& arriving, const JobContext&, SearchEffort) {
-            return std::optional{connection(leaving, arriving, machine_, kBestFeasibleMethod.run)};
+            return std::optional{freeWay(leaving, arriving)};
         }};
         return withPassesBetween(std::move(legs), passes, free, machine_, job_).legs;
     }
 
     /// Short passes that real ways lead to elsewhere much quicker.
-    std::vector<Leg> moved(std::vector<Leg> legs) {
-        auto better = withShortPassesMoved(legs, remembered_, lowered_, job_);
-        return better ? *std::move(better) : std::move(legs);
+    std::vector<Leg> moved(std::vector<Leg> legs) const {
+        RememberedWays inTheField{
+            [&](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
+                return ways_.between(leaving, arriving, part, effort);
+            }};
+        return withShortPassesMoved(std::move(legs), inTheField, lowered_, job_);
+    }
+
+    Curve freeWay(const Pose& leaving, const Pose& arriving) const {
+        return connection(leaving, arriving, machine_, kBestFeasibleMethod.run);
     }
 
     std::optional<Duration> timeInTheField(const Pose& leaving, const Pose& arriving) const {
@@ -117,10 +124,9 @@ private:
                     return Duration{};
                 }
                 const auto time = timeInTheField(leaving, arriving);
-                return time ? *time
-                            : kNoWay + drivenDuration(
-                                           connection(leaving, arriving, machine_, kBestFeasibleMethod.run),
-                                           leaving, arriving, machine_);
+                return time
+                           ? *time
+                           : kNoWay + drivenDuration(freeWay(leaving, arriving), leaving, arriving, machine_);
             },
             job_.withoutProgress());
         return times.transform([](const std::vector<Duration>& all) {
@@ -136,10 +142,6 @@ private:
     bool staysInside_;
     bool isFirst_;
     std::vector<Leg> swaths_;
-    RememberedWays remembered_{
-        [this](const Pose& leaving, const Pose& arriving, const JobContext& part, SearchEffort effort) {
-            return ways_.between(leaving, arriving, part, effort);
-        }};
 };
 
 }  // namespace
