@@ -2695,6 +2695,10 @@
         <translation>%1, ligne %2</translation>
     </message>
     <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1 : le réglage %2 n&apos;est pas utilisé : %3</translation>
     </message>
@@ -5626,7 +5630,7 @@
     </message>
     <message>
         <source>the transfer after %1</source>
-        <translation>le déplacement après %1</translation>
+        <translation>le déplacement après le %1</translation>
     </message>
     <message>
         <source>the transfer at %1</source>
@@ -5634,7 +5638,7 @@
     </message>
     <message>
         <source>the turn after %1</source>
-        <translation>le demi-tour après %1</translation>
+        <translation>le demi-tour après le %1</translation>
     </message>
     <message>
         <source>the turn at %1</source>

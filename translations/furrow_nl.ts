@@ -2695,6 +2695,10 @@
         <translation>%1, rij %2</translation>
     </message>
     <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
         <source>%1: the setting %2 is not used: %3</source>
         <translation>%1: de instelling %2 wordt niet gebruikt: %3</translation>
     </message>

@@ -42,6 +42,8 @@ void addFromCode(const QString& text, QMap<QString, bool>& texts) {
     static const QRegularExpression plural{QString::fromUtf8("counted\\(\\s*(%1),\\s*(%1)").arg(kLiteral)};
     static const QRegularExpression pattern{QString::fromUtf8("\\{(:[^{}]*)?\\}")};
     static const QRegularExpression onlyPlaces{QStringLiteral("^[%\\d\\s,.:()]*$")};
+    // A name and its value: some languages set a space before the colon.
+    static const QString labelled = QStringLiteral("{}: {}");
     QSet<QString> counted;
     for (auto each = plural.globalMatch(text); each.hasNext();) {
         const auto match = each.next();
@@ -53,13 +55,13 @@ void addFromCode(const QString& text, QMap<QString, bool>& texts) {
         const QString said = joined(match.captured(0));
         const QString before = text.mid(std::max<qsizetype>(0, match.capturedStart() - 24),
                                         std::min<qsizetype>(24, match.capturedStart()));
-        if (counted.contains(said) || !isSaid(said, before)) {
+        if (counted.contains(said) || !(said == labelled || isSaid(said, before))) {
             continue;
         }
         const QString key = pattern.match(said).hasMatch()
                                 ? QString::fromStdString(messageKey(said.toStdString(), false))
                                 : said;
-        if (!key.isEmpty() && !onlyPlaces.match(key).hasMatch()) {
+        if (!key.isEmpty() && (said == labelled || !onlyPlaces.match(key).hasMatch())) {
             texts.insert(key, texts.value(key, false));
         }
     }

@@ -23,7 +23,7 @@ Column {
             required property double share
 
             width: root.width
-            height: 30
+            height: Math.max(30, words.implicitHeight + 10)
             Accessible.role: Accessible.ListItem
             Accessible.name: qsTr("%1, %2: %3").arg(choice).arg(said).arg(worth)
 
@@ -50,7 +50,7 @@ Column {
 
                 anchors { left: parent.left; leftMargin: 24; right: bar.left; rightMargin: 10; verticalCenter: parent.verticalCenter }
                 text: row.said
-                elide: Text.ElideRight
+                wrapMode: Text.WordWrap
                 font.weight: row.taken ? Font.DemiBold : Font.Normal
             }
             Item {
