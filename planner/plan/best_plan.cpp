@@ -32,9 +32,6 @@ namespace {
 constexpr int kMostRounds = 4;
 // Anything below is no reason to drive a field in another way.
 constexpr double kWorthIt = 0.001;
-// An alternative that was slower by this share is not tried again, unless the best plan has become quicker by
-// as much since: of 180 that were, none became the best.
-constexpr double kFar = 0.02;
 constexpr std::size_t kMostHeadingsTried = 6;
 constexpr Angle kSameAsNow = degrees(0.05);
 // That most searches take; the progress counts on it.
@@ -243,19 +240,6 @@ bool isWorthIt(const PlannedStages& other, const PlannedStages& best) {
            (other.blockingCount() < best.blockingCount() || timeOf(other) < (1.0 - kWorthIt) * timeOf(best));
 }
 
-/// An alternative, and the best plan when it was tried.
-struct EarlierTried {
-    TriedChoice tried;
-    Duration than;
-    std::ptrdiff_t problems = 0;
-};
-
-bool isStillFar(const EarlierTried& earlier, const PlannedStages& best) {
-    return best.blockingCount() == earlier.problems && timeOf(best) > (1.0 - kFar) * earlier.than &&
-           (earlier.tried.worth == TriedChoice::Worth::Behind ||
-            earlier.tried.difference > kFar * earlier.than);
-}
-
 /// Changes one choice after the other to its best alternative.
 class ChoiceSearch {
 public:
@@ -289,7 +273,7 @@ private:
     JobContext job_;
     std::vector<const ChoiceRule*> free_;
     std::vector<TriedChoice> taken_;
-    std::map<const ChoiceRule*, std::vector<EarlierTried>> left_;  ///< of the last round
+    std::map<const ChoiceRule*, std::vector<TriedChoice>> left_;  ///< of the last round
     ChoiceTable table_;
 };
 
@@ -306,14 +290,6 @@ bool ChoiceSearch::mayChange(const Changes& changes) const {
 Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule, const JobContext& job) {
     std::vector<Alternative> alternatives = rule.alternatives(best);
     std::erase_if(alternatives, [&](const Alternative& each) { return !mayChange(each.changes); });
-    std::vector<EarlierTried> left;
-    for (const EarlierTried& earlier : left_[&rule]) {
-        if (isStillFar(earlier, best.plan) && std::erase_if(alternatives, [&](const Alternative& each) {
-                                                  return each.changes == earlier.tried.changes;
-                                              }) > 0) {
-            left.push_back(earlier);
-        }
-    }
     SharedProgress progress{alternatives.size(), job};
     auto made = parallelMap<Result<std::optional<BestSoFar>>>(
         alternatives.size(),
@@ -332,7 +308,8 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule, const
     }
     table_.alternatives += alternatives.size();
     std::optional<std::size_t> chosen;
-    const std::size_t kept = left.size();
+    std::vector<TriedChoice>& left = left_[&rule];
+    left.clear();
     for (std::size_t i = 0; i < alternatives.size(); ++i) {
         const auto& other = (*made)[i];
         if (!other) {
@@ -348,13 +325,12 @@ Result<bool> ChoiceSearch::change(BestSoFar& best, const ChoiceRule& rule, const
                 chosen = i;
             }
         }
-        left.push_back({std::move(tried), timeOf(best.plan), best.plan.blockingCount()});
+        left.push_back(std::move(tried));
     }
-    left_[&rule] = left;
     if (!chosen) {
         return false;
     }
-    TriedChoice taken = left[kept + *chosen].tried;
+    TriedChoice taken = left[*chosen];
     taken.worth = TriedChoice::Worth::Taken;
     const BestSoFar& other = **(*made)[*chosen];
     taken.difference = other.plan.blockingCount() < best.plan.blockingCount()
@@ -415,7 +391,7 @@ ChoiceTable ChoiceSearch::table(const Settings& found) && {
             return tried.choice == rule->choice.id && !changes(found, tried) &&
                    changes(task_.request.settings, tried);
         });
-        std::ranges::transform(left_[rule], std::back_inserter(table_.tried), &EarlierTried::tried);
+        std::ranges::move(left_[rule], std::back_inserter(table_.tried));
     }
     return std::move(table_);
 }

@@ -64,7 +64,6 @@ private slots:
     void safetyAndAgronomyStay();
     void mendsAPlanThatCannotBeDriven();
     void tellsEachBetterPlan();
-    void whatIsFarOffIsPlannedOnce();
     void sameOnAnyNumberOfThreads();
     void plansAreComparedWhateverIsSet();
     void cancelled();
@@ -226,28 +225,6 @@ void TestBestPlan::tellsEachBetterPlan() {
     QVERIFY(std::ranges::is_sorted(times, std::greater{}));
     COMPARE_WITHIN(times.back(), timeS(**best), 0.0011 * timeS(**best));
     QVERIFY(last == (*best)->request.settings);
-}
-
-// The round after a gain plans near alternatives again, and tells the others of the round before.
-void TestBestPlan::whatIsFarOffIsPlannedOnce() {
-    std::vector<std::string_view> kept = allIds();
-    std::erase(kept, "headland");
-    std::erase(kept, "heading");
-    const PlanRequest request = requestOf(sample("bend"), "cultivator");
-    const auto best = bestPlan({.request = request, .kept = kept, .onBetter = {}});
-    VERIFY_RESULT(best);
-    const ChoiceTable& table = *(*best)->choices;
-    QVERIFY(table.best < table.asked);  // so there was another round
-    const auto countOf = [&](std::string_view choice) {
-        return std::ranges::count(table.tried, choice, &TriedChoice::choice);
-    };
-    // Two other methods, one pass less and one more: all of them are told, and none is near.
-    QCOMPARE(countOf("headland"), 4);
-    for (const TriedChoice& tried : table.tried) {
-        const bool isFar = tried.worth == TriedChoice::Worth::Behind || tried.difference > 0.02 * table.asked;
-        QVERIFY(isFar || tried.choice != "headland");
-    }
-    QVERIFY(static_cast<std::ptrdiff_t>(table.alternatives) <= 4 + 2 * countOf("heading"));
 }
 
 void TestBestPlan::sameOnAnyNumberOfThreads() {
