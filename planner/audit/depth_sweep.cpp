@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace furrow {
@@ -73,39 +74,53 @@ public:
     }
 
 private:
+    /// One of the two ends of an edge.
+    struct EdgeEnd {
+        double y;
+        std::uint32_t edge;
+        bool isHigh;
+    };
+
     void prepare(const LayeredPolygons& polygons) {
-        edges_.reserve(polygons.edges().size());
-        heights_.reserve(2 * polygons.edges().size());
+        std::vector<SweepEdge> edges;
+        std::vector<EdgeEnd> ends;
+        edges.reserve(polygons.edges().size());
+        ends.reserve(2 * polygons.edges().size());
         for (const LayeredPolygons::Edge& edge : polygons.edges()) {
             const Point from{dot(edge.from, along_), cross(along_, edge.from)};
             const Point to{dot(edge.to, along_), cross(along_, edge.to)};
             // The inside is to the left of every edge. An edge that leads down is therefore entered from its
             // left.
-            edges_.push_back(from.y > to.y
-                                 ? SweepEdge{.low = to, .high = from, .step = 1, .layer = edge.layer}
-                                 : SweepEdge{.low = from, .high = to, .step = -1, .layer = edge.layer});
-            heights_.push_back(from.y);
-            heights_.push_back(to.y);
+            const bool leadsDown = from.y > to.y;
+            const auto index = static_cast<std::uint32_t>(edges.size());
+            edges.push_back(leadsDown ? SweepEdge{.low = to, .high = from, .step = 1, .layer = edge.layer}
+                                      : SweepEdge{.low = from, .high = to, .step = -1, .layer = edge.layer});
+            ends.push_back({edges.back().low.y, index, false});
+            ends.push_back({edges.back().high.y, index, true});
         }
-        std::ranges::sort(heights_);
-        double last = -std::numeric_limits<double>::infinity();
-        std::erase_if(heights_, [&last](double height) {
-            const bool same = height - last < kSameHeightM;
-            last = same ? last : height;
-            return same;
-        });
-        const auto heightOf = [this](double y) {
-            const auto above = std::ranges::upper_bound(heights_, y);
-            return static_cast<std::uint32_t>(above - heights_.begin() - 1);
-        };
-        for (SweepEdge& edge : edges_) {
-            edge.firstHeight = heightOf(edge.low.y);
-            edge.lastHeight = heightOf(edge.high.y);
+        std::ranges::sort(ends, {}, &EdgeEnd::y);
+        heights_.reserve(ends.size());
+        for (const EdgeEnd& end : ends) {
+            if (heights_.empty() || !(end.y - heights_.back() < kSameHeightM)) {
+                heights_.push_back(end.y);
+            }
+            const auto height = static_cast<std::uint32_t>(heights_.size() - 1);
+            SweepEdge& edge = edges[end.edge];
+            (end.isHigh ? edge.lastHeight : edge.firstHeight) = height;
+        }
+        // Edges that begin at the same height stay in their order.
+        std::vector<std::uint32_t> places(heights_.size() + 1, 0);
+        for (const SweepEdge& edge : edges) {
+            ++places[edge.firstHeight + 1];
+        }
+        std::partial_sum(places.begin(), places.end(), places.begin());
+        edges_.resize(edges.size());
+        for (SweepEdge& edge : edges) {
             edge.slope = (edge.high.x - edge.low.x) / (edge.high.y - edge.low.y);
+            edges_[places[edge.firstHeight]++] = edge;
         }
         // The remaining edges have a height and a slope.
         std::erase_if(edges_, [](const SweepEdge& edge) { return edge.firstHeight == edge.lastHeight; });
-        std::ranges::stable_sort(edges_, {}, &SweepEdge::firstHeight);
     }
 
     /// Takes the edges that end at this height off the line.
@@ -190,19 +205,11 @@ private:
     }
 
     void measure(double low, double high) {
-        Depths depths{};
-        std::uint32_t inside = 0;
-        for (std::size_t i = 0; i < line_.size(); ++i) {
-            depths[line_[i].edge->layer] += line_[i].edge->step;
-            if (i + 1 < line_.size() && touch(line_[i], line_[i + 1])) {
-                continue;
-            }
-            const std::uint32_t now = regionsAt_(depths);
-            for (std::uint32_t changed = inside ^ now; changed != 0; changed &= changed - 1) {
-                const int r = std::countr_zero(changed);
-                enterOrLeave(regions_[static_cast<std::size_t>(r)], line_[i], (now >> r & 1U) != 0);
-            }
-            inside = now;
+        if (!hasLayoutOfBefore()) {
+            layOut();
+        }
+        for (const Inside& inside : insides_) {
+            addSpan(regions_[inside.region], line_[inside.left], line_[inside.right]);
         }
         for (Region& region : regions_) {
             region.area += 0.5 * region.width * (high - low);
@@ -211,6 +218,44 @@ private:
                 region.tracer.addRow(low, high, region.spans);
                 region.spans.clear();
             }
+        }
+    }
+
+    /// Notes the layers of the row from left to right. Where one edge follows another, they are those of the
+    /// row before.
+    bool hasLayoutOfBefore() {
+        bool isSame = layout_.size() == line_.size();
+        layout_.resize(line_.size());
+        for (std::size_t i = 0; i < line_.size(); ++i) {
+            const LayoutEdge now{.layer = line_[i].edge->layer,
+                                 .step = line_[i].edge->step,
+                                 .touchesNext = i + 1 < line_.size() && touch(line_[i], line_[i + 1])};
+            isSame = isSame && layout_[i] == now;
+            layout_[i] = now;
+        }
+        return isSame;
+    }
+
+    /// Finds which edges of the row begin and end which regions.
+    void layOut() {
+        insides_.clear();
+        Depths depths{};
+        std::uint32_t inside = 0;
+        for (std::uint32_t i = 0; i < layout_.size(); ++i) {
+            depths[layout_[i].layer] += layout_[i].step;
+            if (layout_[i].touchesNext) {
+                continue;
+            }
+            const std::uint32_t now = regionsAt_(depths);
+            for (std::uint32_t changed = inside ^ now; changed != 0; changed &= changed - 1) {
+                const auto r = static_cast<std::uint32_t>(std::countr_zero(changed));
+                if ((now >> r & 1U) != 0) {
+                    regions_[r].begin = i;
+                } else {
+                    insides_.push_back({.region = r, .left = regions_[r].begin, .right = i});
+                }
+            }
+            inside = now;
         }
     }
 
@@ -223,32 +268,44 @@ private:
         double area = 0.0;
         bool traced = false;
         RegionTracer tracer;
+        std::uint32_t begin = 0;  ///< edge of the row, while it is laid out
         // Of the current row.
         double width = 0.0;  ///< sum of low and high
-        RegionTracer::Span begun;
         std::vector<RegionTracer::Span> spans;
+    };
+
+    /// What the depths on the two sides of an edge follow from.
+    struct LayoutEdge {
+        std::uint8_t layer = 0;
+        std::int8_t step = 0;
+        bool touchesNext = false;
+        bool operator==(const LayoutEdge&) const = default;
+    };
+
+    /// A region between two edges of the row.
+    struct Inside {
+        std::uint32_t region;
+        std::uint32_t left;
+        std::uint32_t right;
     };
 
     std::uint32_t lineOf(const Crossed& edge) const {
         return static_cast<std::uint32_t>(edge.edge - edges_.data());
     }
 
-    void enterOrLeave(Region& region, const Crossed& edge, bool inside) const {
-        RegionTracer::Span& span = region.begun;
-        if (inside) {
-            span.leftLow = edge.lowX;
-            span.leftHigh = edge.highX;
-            span.leftLine = lineOf(edge);
-            return;
-        }
+    void addSpan(Region& region, const Crossed& left, const Crossed& right) const {
         // Edges that only touch may be in the other order by rounding.
-        const bool isInOrder = edge.lowX >= span.leftLow && edge.highX >= span.leftHigh;
-        span.rightLow = std::max(edge.lowX, span.leftLow);
-        span.rightHigh = std::max(edge.highX, span.leftHigh);
-        span.rightLine = isInOrder ? lineOf(edge) : RegionTracer::kNoLine;
-        region.width += (span.rightLow - span.leftLow) + (span.rightHigh - span.leftHigh);
+        const double rightLow = std::max(right.lowX, left.lowX);
+        const double rightHigh = std::max(right.highX, left.highX);
+        region.width += (rightLow - left.lowX) + (rightHigh - left.highX);
         if (region.traced) {
-            region.spans.push_back(span);
+            const bool isInOrder = right.lowX >= left.lowX && right.highX >= left.highX;
+            region.spans.push_back({.leftLow = left.lowX,
+                                    .leftHigh = left.highX,
+                                    .rightLow = rightLow,
+                                    .rightHigh = rightHigh,
+                                    .leftLine = lineOf(left),
+                                    .rightLine = isInOrder ? lineOf(right) : RegionTracer::kNoLine});
         }
     }
 
@@ -279,6 +336,8 @@ private:
     std::size_t nextEnd_ = std::numeric_limits<std::size_t>::max();  ///< of an edge on the line
     std::vector<Crossed> line_;  ///< the edges that the line crosses now, from left to right
     std::vector<double> crossings_;
+    std::vector<LayoutEdge> layout_;  ///< of the row
+    std::vector<Inside> insides_;     ///< the same, by their right edges
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace furrow {
@@ -62,9 +63,9 @@ void RegionTracer::addRow(double low, double high, const std::vector<Span>& span
         height_ = high;
         return;
     }
-    std::vector<Open> row = rowOf(spans);
-    join(low, row);
-    for (Open& open : row) {
+    readRow(spans);
+    join(low);
+    for (Open& open : above_) {
         if (open.same == kNone) {
             continue;
         }
@@ -73,7 +74,7 @@ void RegionTracer::addRow(double low, double high, const std::vector<Span>& span
         open.rightNode = before.rightNode;
         open.piece = before.piece;
     }
-    below_ = std::move(row);
+    std::swap(below_, above_);
     height_ = high;
 }
 
@@ -91,20 +92,20 @@ bool RegionTracer::goesOn(const std::vector<Span>& spans) {
     return true;
 }
 
-/// Links spans to those that they continue from below.
-std::vector<RegionTracer::Open> RegionTracer::rowOf(const std::vector<Span>& spans) {
-    std::vector<Open> row;
-    row.reserve(spans.size());
+/// Takes the spans of a row, and links them to those that they continue from below.
+void RegionTracer::readRow(const std::vector<Span>& spans) {
+    above_.clear();
     std::uint32_t next = 0;
     for (const Span& span : spans) {
         std::uint32_t from = next;
         while (from < below_.size() && !isBetweenSameLines(below_[from].span, span)) {
             ++from;
         }
-        row.push_back({.span = span, .leftNode = kNone, .rightNode = kNone, .piece = kNone, .same = kNone});
+        above_.push_back(
+            {.span = span, .leftNode = kNone, .rightNode = kNone, .piece = kNone, .same = kNone});
         if (from < below_.size()) {
-            below_[from].same = static_cast<std::uint32_t>(row.size() - 1);
-            row.back().same = from;
+            below_[from].same = static_cast<std::uint32_t>(above_.size() - 1);
+            above_.back().same = from;
             next = from + 1;
         }
     }
@@ -125,26 +126,25 @@ std::vector<RegionTracer::Open> RegionTracer::rowOf(const std::vector<Span>& spa
     };
     bool broken = true;
     while (broken) {
-        broken = breakTouched(row, below_, &Span::leftLow, &Span::rightLow);
-        broken = breakTouched(below_, row, &Span::leftHigh, &Span::rightHigh) || broken;
+        broken = breakTouched(above_, below_, &Span::leftLow, &Span::rightLow);
+        broken = breakTouched(below_, above_, &Span::leftHigh, &Span::rightHigh) || broken;
     }
-    for (Open& open : row) {
+    for (Open& open : above_) {
         if (open.same == kNone) {
             open.piece = static_cast<std::uint32_t>(parents_.size());
             parents_.push_back(open.piece);
         }
     }
-    return row;
 }
 
 void RegionTracer::endAll() {
-    std::vector<Open> nothing;
-    join(height_, nothing);
+    above_.clear();
+    join(height_);
     below_.clear();
 }
 
 /// Makes the nodes at one height. Closes the spans that end there from below and begins those above.
-void RegionTracer::join(double height, std::vector<Open>& above) {
+void RegionTracer::join(double height) {
     ends_.clear();
     for (Open& open : below_) {
         if (open.same == kNone) {
@@ -152,7 +152,7 @@ void RegionTracer::join(double height, std::vector<Open>& above) {
             ends_.push_back({open.span.rightHigh, &open, false, false});
         }
     }
-    for (Open& open : above) {
+    for (Open& open : above_) {
         if (open.same == kNone) {
             ends_.push_back({open.span.leftLow, &open, true, true});
             ends_.push_back({open.span.rightLow, &open, true, false});
@@ -238,14 +238,16 @@ std::pair<std::uint32_t, Ring> RegionTracer::takeLoop(std::vector<std::uint32_t>
 /// Walks along the edges, to the left at forks. A loop is closed as soon as a node repeats, so no ring
 /// touches itself.
 std::vector<std::pair<std::uint32_t, Ring>> RegionTracer::closeRings() {
-    std::ranges::stable_sort(edges_, {}, &Edge::from);
     std::vector<std::uint32_t> first(nodes_.size() + 1, 0);
     for (const Edge& edge : edges_) {
         ++first[edge.from + 1];
     }
-    for (std::size_t i = 1; i < first.size(); ++i) {
-        first[i] += first[i - 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Edge> byNode(edges_.size());
+    for (std::vector<std::uint32_t> next = first; const Edge& edge : edges_) {
+        byNode[next[edge.from]++] = edge;
     }
+    edges_ = std::move(byNode);
     std::vector<char> used(edges_.size(), 0);
     std::vector<std::uint32_t> placeOnWay(nodes_.size(), kNone);
     const auto headingOf = [this](const Edge& edge) {

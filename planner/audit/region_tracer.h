@@ -56,9 +56,9 @@ private:
     };
 
     bool goesOn(const std::vector<Span>& spans);
-    std::vector<Open> rowOf(const std::vector<Span>& spans);
+    void readRow(const std::vector<Span>& spans);
     void endAll();
-    void join(double height, std::vector<Open>& above);
+    void join(double height);
     std::uint32_t newNode(Point place);
     std::uint32_t pieceOf(std::uint32_t piece);
     void unite(std::uint32_t a, std::uint32_t b);
@@ -69,7 +69,8 @@ private:
 
     double height_ = 0.0;
     std::vector<Open> below_;
-    std::vector<End> ends_;  ///< at the height at which rows are joined
+    std::vector<Open> above_;  ///< the row that is added now
+    std::vector<End> ends_;    ///< at the height at which rows are joined
     std::vector<Point> nodes_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> parents_;  ///< union-find over spans
