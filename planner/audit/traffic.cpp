@@ -217,34 +217,25 @@ public:
         }
     }
 
-    int most() const {
-        const auto most = std::ranges::max_element(squares_, {}, &Square::passes);
-        return most->passes;
-    }
+    int most() const { return most_; }
     std::vector<Bounds> oftenRuns() const {
+        std::vector<std::ptrdiff_t> squares = often_;
+        std::ranges::sort(squares);
         std::vector<Bounds> runs;
-        for (std::ptrdiff_t row = 0; row < rows_; ++row) {
-            for (std::ptrdiff_t column = 0; column < columns_; ++column) {
-                const std::ptrdiff_t first = column;
-                while (column < columns_ &&
-                       squares_[static_cast<std::size_t>(row * columns_ + column)].passes > kOftenPasses) {
-                    ++column;
-                }
-                if (column > first) {
-                    runs.push_back({.min = corner_ + sizeM_ * Point{static_cast<double>(first),
-                                                                    static_cast<double>(row)},
-                                    .max = corner_ + sizeM_ * Point{static_cast<double>(column),
-                                                                    static_cast<double>(row + 1)}});
-                }
+        for (std::size_t i = 0; i < squares.size();) {
+            const std::ptrdiff_t first = squares[i];
+            const std::ptrdiff_t row = first / columns_;
+            std::ptrdiff_t end = first;
+            for (; i < squares.size() && squares[i] == end && end / columns_ == row; ++i) {
+                ++end;
             }
+            const Point low{static_cast<double>(first % columns_), static_cast<double>(row)};
+            const Point high = low + Point{static_cast<double>(end - first), 1.0};
+            runs.push_back({.min = corner_ + sizeM_ * low, .max = corner_ + sizeM_ * high});
         }
         return runs;
     }
-    double areaOften() const {
-        return sizeM_ * sizeM_ *
-               static_cast<double>(std::ranges::count_if(
-                   squares_, [](const Square& square) { return square.passes > kOftenPasses; }));
-    }
+    double areaOften() const { return sizeM_ * sizeM_ * static_cast<double>(often_.size()); }
 
 private:
     struct Square {
@@ -267,10 +258,14 @@ private:
         if (column < 0 || row < 0 || column >= columns_ || row >= rows_) {
             return;
         }
-        Square& square = squares_[static_cast<std::size_t>(row * columns_ + column)];
+        const std::ptrdiff_t at = row * columns_ + column;
+        Square& square = squares_[static_cast<std::size_t>(at)];
         // The other wheel, or the same one still there, is not another passage.
         if (wayM - square.wayM > 3.0 * sizeM_) {
-            ++square.passes;
+            most_ = std::max(most_, ++square.passes);
+            if (square.passes == kOftenPasses + 1) {
+                often_.push_back(at);
+            }
         }
         square.wayM = static_cast<float>(wayM);
     }
@@ -280,6 +275,8 @@ private:
     std::ptrdiff_t columns_ = 1;
     std::ptrdiff_t rows_ = 1;
     std::vector<Square> squares_;
+    int most_ = 0;                       ///< passages of a square
+    std::vector<std::ptrdiff_t> often_;  ///< squares with more than kOftenPasses, as they came to it
 };
 
 double rollWheels(const SegmentMotion& motion, double asideM, double wayM, WheelGrid& grid) {
