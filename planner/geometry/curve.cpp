@@ -2,95 +2,88 @@
 
 #include "planner/units/angle.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 namespace furrow {
 
 namespace {
 
+/// Values at the nodes, in pairs for the processor. The last one stands for nothing.
+using AtNodes = Eigen::Array<double, 6, 1>;
+using NodeValues = Eigen::Map<const AtNodes, Eigen::Aligned16>;
+
 // Nodes and weights of the Gauss-Legendre rule with ten points on [-1, 1], the positive half
 // (Abramowitz & Stegun 1964, table 25.4).
-constexpr double kNodes[] = {0.1488743389816312108848260, 0.4333953941292471907992659,
-                             0.6794095682990244062343274, 0.8650633666889845107320967,
-                             0.9739065285171717200779640};
-constexpr double kWeights[] = {0.2955242247147528701738930, 0.2692667193099963550912269,
-                               0.2190863625159820439955349, 0.1494513491505805931457763,
-                               0.0666713443086881375935688};
+alignas(16) constexpr double kNodes[] = {0.1488743389816312108848260, 0.4333953941292471907992659,
+                                         0.6794095682990244062343274, 0.8650633666889845107320967,
+                                         0.9739065285171717200779640, 0.0};
+alignas(16) constexpr double kWeights[] = {0.2955242247147528701738930, 0.2692667193099963550912269,
+                                           0.2190863625159820439955349, 0.1494513491505805931457763,
+                                           0.0666713443086881375935688, 0.0};
 // For exp(i x) over a stretch with at most this turn, the rule's error is below rounding.
 constexpr double kPanelRad = 1.5;
-// Up to this angle the series of `directionNear` is exact to rounding.
-constexpr double kSeriesRad = 1.0;
 
-constexpr std::size_t kAtOnce = 2 * std::size(kNodes);
-// Pairs of factors from one term of both series to the next, the last one first.
-constexpr std::array kSeriesFactors = [] {
-    std::array<std::array<double, 2>, 9> factors{};
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        const auto term = static_cast<int>(2 * (factors.size() - i));
-        factors[i] = {-(1.0 / (term * (term - 1))), -(1.0 / (term * (term + 1)))};
+/// Factors of the powers of the squared angle, the highest one first: of the cosine for `first` 0, of the
+/// sine divided by its angle for `first` 1.
+template <std::size_t kTerms>
+constexpr std::array<double, kTerms> seriesFactors(int first) {
+    std::array<double, kTerms> factors{};
+    double factor = 1.0;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+        factors[kTerms - 1 - i] = factor;
+        const int power = first + 2 * static_cast<int>(i);
+        factor /= -(power + 1) * (power + 2);
     }
     return factors;
-}();
-
-/// The directions of some small angles, by their power series: some five times as quick as sine and cosine,
-/// and most of a clothoid's cost. The next terms are below 1e-18. Each angle is worked out by itself, so they
-/// can be worked out together.
-void directionsNear(const std::array<double, kAtOnce>& angles, std::array<double, kAtOnce>& cosines,
-                    std::array<double, kAtOnce>& sines) {
-    std::array<double, kAtOnce> squares;
-    for (std::size_t i = 0; i < kAtOnce; ++i) {
-        squares[i] = angles[i] * angles[i];
-        cosines[i] = 0.0;
-        sines[i] = 0.0;
-    }
-    for (const auto& [even, odd] : kSeriesFactors) {
-        for (std::size_t i = 0; i < kAtOnce; ++i) {
-            cosines[i] = even * squares[i] * (1.0 + cosines[i]);
-            sines[i] = odd * squares[i] * (1.0 + sines[i]);
-        }
-    }
-    for (std::size_t i = 0; i < kAtOnce; ++i) {
-        cosines[i] = 1.0 + cosines[i];
-        sines[i] = angles[i] * (1.0 + sines[i]);
-    }
 }
+
+/// Such a series of some angles, given by their squares: several times as quick as sine and cosine.
+template <std::size_t kTerms>
+AtNodes seriesOf(const std::array<double, kTerms>& factors, const AtNodes& squares) {
+    AtNodes sums = AtNodes::Zero();
+    for (const double factor : factors) {
+        sums = factor + squares * sums;
+    }
+    return sums;
+}
+
+// The first terms left out are below 2e-17 for half the turn of a panel, and for the largest change of the
+// middle's direction within one, a quarter of its turn.
+constexpr auto kCosineFactors = seriesFactors<9>(0);
+constexpr auto kSmallCosineFactors = seriesFactors<7>(0);
+constexpr auto kSmallSineFactors = seriesFactors<7>(1);
 
 /// The displacement in the frame of the start over `way` (negative in reverse), with the curvature k + rate
 /// s.
+///
+/// Beside the middle of a panel, the direction differs by the same even part before and behind it, and by an
+/// odd part that turns against it: both directions together are one, turned by the even part, as long as
+/// twice the cosine of the odd one.
 Point clothoidDisplacement(double way, double k, double rate) {
     const double largest = std::max(std::abs(k), std::abs(k + rate * way));
-    const int panels = std::max(1, static_cast<int>(std::ceil(largest * std::abs(way) / kPanelRad)));
-    const double half = 0.5 * way / panels;
-    const bool isSmall = largest * std::abs(way) <= kSeriesRad;
-    const auto angleAt = [&](double s) { return s * (k + 0.5 * rate * s); };
-    std::array<double, kAtOnce> angles;
-    std::array<double, kAtOnce> cosines;
-    std::array<double, kAtOnce> sines;
+    const double mostTurn = largest * std::abs(way);
+    const int panels = mostTurn <= kPanelRad ? 1 : static_cast<int>(std::ceil(mostTurn / kPanelRad));
+    const double half = panels == 1 ? 0.5 * way : 0.5 * way / panels;
+    const NodeValues weights{kWeights};
+    const AtNodes squares = (half * NodeValues{kNodes}).square();
+    const AtNodes even = 0.5 * rate * squares;
+    const AtNodes evenSquares = even.square();
+    const AtNodes along = weights * seriesOf(kSmallCosineFactors, evenSquares);
+    const AtNodes aside = weights * even * seriesOf(kSmallSineFactors, evenSquares);
     Point sum;
     for (int panel = 0; panel < panels; ++panel) {
         const double middle = (2 * panel + 1) * half;
-        for (std::size_t i = 0; i < std::size(kNodes); ++i) {
-            angles[2 * i] = angleAt(middle - half * kNodes[i]);
-            angles[2 * i + 1] = angleAt(middle + half * kNodes[i]);
-        }
-        if (isSmall) {
-            directionsNear(angles, cosines, sines);
-        } else {
-            for (std::size_t i = 0; i < kAtOnce; ++i) {
-                const Point towards = direction(angles[i]);
-                cosines[i] = towards.x;
-                sines[i] = towards.y;
-            }
-        }
-        for (std::size_t i = 0; i < std::size(kNodes); ++i) {
-            const Point before{cosines[2 * i], sines[2 * i]};
-            const Point after{cosines[2 * i + 1], sines[2 * i + 1]};
-            sum = sum + kWeights[i] * (before + after);
-        }
+        const double curvature = k + rate * middle;
+        const AtNodes odd = seriesOf(kCosineFactors, curvature * curvature * squares);
+        const double x = 2.0 * (along * odd).sum();
+        const double y = 2.0 * (aside * odd).sum();
+        const Point ahead = direction(middle * (k + 0.5 * rate * middle));
+        sum = sum + x * ahead + y * Point{-ahead.y, ahead.x};
     }
     return half * sum;
 }
