@@ -11,7 +11,9 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <queue>
 #include <ranges>
+#include <tuple>
 #include <utility>
 
 namespace furrow {
@@ -192,6 +194,45 @@ std::vector<std::size_t> sequence(const std::vector<HeadlandPass>& passes,
     return order;
 }
 
+using RatedPlace = std::pair<Duration, std::size_t>;
+
+/// Places by the time of their ways. A place is rated only once no other one can be nearer in time: no way is
+/// quicker than a straight line.
+class PlacesByTime {
+public:
+    /// @param fixed    the other end of all ways
+    /// @param fastest  no way is driven faster
+    PlacesByTime(const std::vector<StartPlace>& places, Point fixed, Speed fastest,
+                 std::function<Duration(const StartPlace&)> rate)
+        : places_{places}, rate_{std::move(rate)} {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double awayM =
+                std::min(distance(places[i].pose.position, fixed), distance(places[i].end.position, fixed));
+            queue_.push({kSurely * seconds(awayM / fastest.si()), false, i});
+        }
+    }
+
+    bool empty() const { return queue_.empty(); }
+    RatedPlace takeNext() {
+        for (;;) {
+            const auto [time, isRated, place] = queue_.top();
+            queue_.pop();
+            if (isRated) {
+                return {time, place};
+            }
+            queue_.push({rate_(places_[place]), true, place});
+        }
+    }
+
+private:
+    static constexpr double kSurely = 1.0 - 1e-9;
+
+    using Waiting = std::tuple<Duration, bool, std::size_t>;
+    const std::vector<StartPlace>& places_;
+    std::function<Duration(const StartPlace&)> rate_;
+    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
+};
+
 /// Finds the best start of a closed pass.
 class StartChooser {
 public:
@@ -199,6 +240,7 @@ public:
         : drive_{drive},
           machine_{machine},
           turn_{turn},
+          fastest_{std::max(machine.spec().tractor.turningSpeed, machine.spec().tractor.reverseSpeed)},
           raised_{drive.drivable, machine, machine.turningFootprint(),
                   machine.turningWidth() + machine.spec().tractor.length} {}
 
@@ -210,19 +252,17 @@ public:
         if (!fixed) {
             return places.front();
         }
+        PlacesByTime inOrder{places, fixed->position, fastest_, [&](const StartPlace& place) {
+                                 const Pose& from = fixedIsNext ? place.end : *fixed;
+                                 const Pose& to = fixedIsNext ? *fixed : place.pose;
+                                 return roughDuration(way(place, *fixed, fixedIsNext), from, to, machine_);
+                             }};
         std::vector<RatedPlace> byTime;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const Curve between = way(places[i], *fixed, fixedIsNext);
-            const Pose& from = fixedIsNext ? places[i].end : *fixed;
-            const Pose& to = fixedIsNext ? *fixed : places[i].pose;
-            byTime.emplace_back(roughDuration(between, from, to, machine_), i);
-        }
-        std::ranges::sort(byTime);
         std::optional<RatedPlace> quickest;
-        for (const RatedPlace& rated : byTime | std::views::take(kMostChecked)) {
-            if (raised_.staysInside(way(places[rated.second], *fixed, fixedIsNext), kCheckStep)) {
-                quickest = rated;
-                break;
+        while (!quickest && byTime.size() < kMostChecked && !inOrder.empty()) {
+            byTime.push_back(inOrder.takeNext());
+            if (raised_.staysInside(way(places[byTime.back().second], *fixed, fixedIsNext), kCheckStep)) {
+                quickest = byTime.back();
             }
         }
         if (quickest && drive_.searched) {
@@ -232,8 +272,6 @@ public:
     }
 
 private:
-    using RatedPlace = std::pair<Duration, std::size_t>;
-
     /// The place of the quickest single curve, or one with a way of several moves that is quicker. In free
     /// space no way is quicker.
     RatedPlace quickestOf(RatedPlace quickest, const std::vector<RatedPlace>& byTime,
@@ -269,6 +307,7 @@ private:
     const HeadlandDrive& drive_;
     const Machine& machine_;
     TurnPlanner* turn_;
+    Speed fastest_;  ///< on ways
     RigidRoom raised_;
 };
 
