@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace furrow {
 
@@ -28,11 +29,20 @@ Message whyNot(const Method<TurnPlanner>& kind, const Machine& machine, int outs
 
 }  // namespace
 
+std::vector<std::vector<std::size_t>> turnCells(const Settings& settings, const Decomposition& cells) {
+    std::vector<std::vector<std::size_t>> swaths;
+    if (!turnMethod(settings).traits.isAnyKind) {
+        std::ranges::transform(cells.cells, std::back_inserter(swaths), &Cell::swaths);
+    }
+    return swaths;
+}
+
 ChosenTurns::ChosenTurns(const Settings& settings, const SwathSet& swaths, const Decomposition& cells,
                          const FittingWays& ways)
     : kind_{turnMethod(settings)}, ways_{ways} {
-    for (std::size_t cell = 0; cell < cells.cells.size(); ++cell) {
-        for (const std::size_t swath : cells.cells[cell].swaths) {
+    const auto ofCells = turnCells(settings, cells);
+    for (std::size_t cell = 0; cell < ofCells.size(); ++cell) {
+        for (const std::size_t swath : ofCells[cell]) {
             cellOfSwath_[swaths.swaths[swath].number] = cell;
         }
     }

@@ -9,8 +9,13 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace furrow {
+
+/// The swaths of each cell. Empty where any kind of turn may be taken: then cells make no difference to
+/// turns.
+std::vector<std::vector<std::size_t>> turnCells(const Settings& settings, const Decomposition& cells);
 
 /// Turns of the chosen kind. They belong between two swaths of one cell. Other ways take any kind that fits;
 /// a kind with continuous curvature is also used there if it fits. Thread-safe.

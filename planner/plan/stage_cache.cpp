@@ -28,8 +28,4 @@ bool isSameSwaths(const LaidSwaths& a, const LaidSwaths& b) {
             a.parts == b.parts && a.mainland == b.mainland);
 }
 
-bool isSameOrder(const Ordered& a, const Ordered& b) {
-    return &a == &b || (a.route == b.route && a.cells.cells == b.cells.cells);
-}
-
 }  // namespace furrow

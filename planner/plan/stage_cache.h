@@ -33,7 +33,6 @@ struct SwathInputs {
 /// matter.
 bool isSameHeadland(const Headland& a, const Headland& b);
 bool isSameSwaths(const LaidSwaths& a, const LaidSwaths& b);
-bool isSameOrder(const Ordered& a, const Ordered& b);
 
 /// What an order is made from.
 struct OrderInputs {
@@ -53,11 +52,13 @@ struct DriveInputs {
     std::shared_ptr<const Headland> headland;
     std::shared_ptr<const LaidSwaths> laid;
     std::shared_ptr<const Ordered> ordered;
+    std::vector<std::vector<std::size_t>> turnCells;  ///< all that cells are to the path
     bool draft = false;
 
     friend bool operator==(const DriveInputs& a, const DriveInputs& b) {
         return a.ground == b.ground && a.draft == b.draft && isSameHeadland(*a.headland, *b.headland) &&
-               isSameSwaths(*a.laid, *b.laid) && isSameOrder(*a.ordered, *b.ordered);
+               isSameSwaths(*a.laid, *b.laid) && a.ordered->route == b.ordered->route &&
+               a.turnCells == b.turnCells;
     }
 };
 

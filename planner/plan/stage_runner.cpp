@@ -4,6 +4,7 @@
 #include "planner/geometry/geos_bridge.h"
 #include "planner/headland/headland_passes.h"
 #include "planner/path/blocking.h"
+#include "planner/plan/chosen_turns.h"
 #include "planner/plan/drive_stage.h"
 #include "planner/plan/general_parameters.h"
 #include "planner/plan/ground.h"
@@ -150,7 +151,9 @@ Result<PlannedStages> StageRunner::plannedRound(const PlanRequest& request,
     if (!ordered) {
         return std::unexpected(ordered.error());
     }
-    auto driven = cache_.drives.get(request, {ground, laid->headland, laid->laid, *ordered, request.draft},
+    auto driven = cache_.drives.get(request,
+                                    {ground, laid->headland, laid->laid, *ordered,
+                                     turnCells(request.settings, (*ordered)->cells), request.draft},
                                     [&](const PlanRequest& asking) {
                                         const DriveTask task{.request = asking,
                                                              .ground = ground,

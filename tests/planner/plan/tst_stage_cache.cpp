@@ -68,6 +68,8 @@ private slots:
     void cornersThatAreTheSameShareAHeadland();
     void whatComesToTheSameIsNotDrivenAgain_data();
     void whatComesToTheSameIsNotDrivenAgain();
+    void cellsMatterToTurnsOfOneKind_data();
+    void cellsMatterToTurnsOfOneKind();
     void anotherFieldIsNotMixedUp();
     void readsOfInnerStagesCount();
 
@@ -199,6 +201,52 @@ void TestStageCache::whatComesToTheSameIsNotDrivenAgain() {
     VERIFY_RESULT(second);
     QCOMPARE((*second)->timings.path > Duration{}, driven);
     QCOMPARE((*second)->path == (*first)->path, !driven);
+}
+
+// A turn of the chosen kind belongs between swaths of one cell. Where any kind may be taken, the same order
+// in other cells is the same path.
+void TestStageCache::cellsMatterToTurnsOfOneKind_data() {
+    QTest::addColumn<QString>("turn");
+    QTest::addColumn<bool>("driven");
+    QTest::newRow("any kind") << "best-feasible" << false;
+    QTest::newRow("one kind") << "dubins" << true;
+}
+
+void TestStageCache::cellsMatterToTurnsOfOneKind() {
+    QFETCH(QString, turn);
+    QFETCH(bool, driven);
+    StageCache cache;
+    Given given{{"headland.corner", "rounded"},
+                {"route.compare", "blocked"},
+                {"swaths.method", "fixed"},
+                {"swaths.angle_deg", "90"},
+                {"path.method", turn.toStdString()}};
+    const auto plan = [&](const char* cells) {
+        Given with = given;
+        with.emplace_back("decomposition.method", cells);
+        PlanRequest request = requestWith(with);
+        const MultiPolygon angled{
+            {.outer = {{0, 0}, {100, 0}, {100, 40}, {50, 40}, {50, 64}, {0, 64}}, .holes = {}}};
+        request.field =
+            std::make_shared<const Field>(Field::create(test::fieldSourceFromLocal(angled, kCentre)).value());
+        return makePlan(request, {}, &cache);
+    };
+    const auto any = plan("none");
+    VERIFY_RESULT(any);
+    std::string order;
+    for (const Swath& swath : (*any)->swaths.swaths) {
+        order += (order.empty() ? "" : ",") + std::to_string(swath.number);
+    }
+    given.emplace_back("route.method", "custom");
+    given.emplace_back("route.order", order);
+    const auto first = plan("none");
+    VERIFY_RESULT(first);
+    const auto second = plan("boustrophedon");
+    VERIFY_RESULT(second);
+    QCOMPARE((*first)->cells.cells.size(), std::size_t{1});
+    QVERIFY((*second)->cells.cells.size() > 1);
+    QCOMPARE((*second)->route, (*first)->route);
+    QCOMPARE((*second)->timings.path > Duration{}, driven);
 }
 
 void TestStageCache::anotherFieldIsNotMixedUp() {
