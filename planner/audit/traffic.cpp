@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace furrow {
 
@@ -13,31 +15,41 @@ namespace {
 
 constexpr double kSquareM = 1.0;
 constexpr double kMostSquares = 1e6;
-constexpr double kMostStrips = 1e6;
+constexpr double kMostCellsAcross = 500.0;
 /// A wheel is followed at most 1000 squares outside its grid.
 constexpr double kMostBeyond = 1000.0;
 /// From the tractor's side to the middle of its wheels.
 constexpr double kWheelInsetM = 0.25;
 
-/// Pieces of lanes in strips along the main direction of the lanes.
+/// Pieces of lanes in square cells, whose rows lie in the main direction of the lanes.
 class LaneIndex {
 public:
-    LaneIndex(const std::vector<SweptPiece>& pieces, Point along, double stripM)
-        : pieces_{pieces}, along_{along}, stripM_{std::max(stripM, 0.1)} {
-        double lastY = -std::numeric_limits<double>::infinity();
+    LaneIndex(const std::vector<SweptPiece>& pieces, Point along, double cellM)
+        : pieces_{pieces}, along_{along}, cellM_{std::max(cellM, 0.1)} {
+        Bounds all = kNothing;
         for (const SweptPiece& piece : pieces) {
-            boxes_.push_back(boxOf(piece.ring));
-            firstY_ = std::min(firstY_, boxes_.back().min.y);
-            lastY = std::max(lastY, boxes_.back().max.y);
+            const Bounds box = boxOf(piece.ring);
+            boxes_.push_back(box);
+            all = {.min = {std::min(all.min.x, box.min.x), std::min(all.min.y, box.min.y)},
+                   .max = {std::max(all.max.x, box.max.x), std::max(all.max.y, box.max.y)}};
         }
-        // Limits the number of strips if a lane leads far away.
-        stripM_ = std::max(stripM_, (lastY - firstY_) / kMostStrips);
-        for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            const std::size_t last = stripAt(boxes_[i].max.y);
-            strips_.resize(std::max(strips_.size(), last + 1));
-            for (std::size_t s = stripAt(boxes_[i].min.y); s <= last; ++s) {
-                strips_[s].push_back(i);
-            }
+        if (pieces.empty()) {
+            return;
+        }
+        // Limits the number of cells if a lane leads far away.
+        cellM_ = std::max(cellM_, std::max(all.width(), all.height()) / kMostCellsAcross);
+        corner_ = all.min;
+        columns_ = placeOf(all.max.x - corner_.x) + 1;
+        rows_ = placeOf(all.max.y - corner_.y) + 1;
+        first_.assign(columns_ * rows_ + 1, 0);
+        for (const Bounds& box : boxes_) {
+            forEachCell(box, [&](std::size_t cell) { ++first_[cell + 1]; });
+        }
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        inCells_.resize(first_.back());
+        std::vector<std::uint32_t> next = first_;
+        for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+            forEachCell(boxes_[i], [&](std::size_t cell) { inCells_[next[cell]++] = i; });
         }
     }
 
@@ -45,23 +57,23 @@ public:
     template <class Visit>
     void visitNear(const Edge& edge, Visit&& visit) const {
         const Bounds box = boxOf({edge.from, edge.to});
-        if (strips_.empty() || box.max.y < firstY_) {
-            return;
-        }
-        const std::size_t last = std::min(stripAt(box.max.y), strips_.size() - 1);
-        for (std::size_t s = stripAt(box.min.y); s <= last; ++s) {
-            for (const std::size_t i : strips_[s]) {
-                if (boxes_[i].min.x < box.max.x && box.min.x < boxes_[i].max.x) {
-                    visit(pieces_[i]);
+        forEachCell(box, [&](std::size_t cell) {
+            for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) {
+                const Bounds& lane = boxes_[inCells_[k]];
+                if (lane.min.x < box.max.x && box.min.x < lane.max.x && lane.min.y < box.max.y &&
+                    box.min.y < lane.max.y) {
+                    visit(pieces_[inCells_[k]]);
                 }
             }
-        }
+        });
     }
 
 private:
+    static constexpr double kFar = std::numeric_limits<double>::infinity();
+    static constexpr Bounds kNothing{.min = {kFar, kFar}, .max = {-kFar, -kFar}};
+
     Bounds boxOf(const Ring& ring) const {
-        constexpr double kFar = std::numeric_limits<double>::infinity();
-        Bounds box{.min = {kFar, kFar}, .max = {-kFar, -kFar}};
+        Bounds box = kNothing;
         for (const Point& point : ring) {
             const Point at{dot(point, along_), cross(along_, point)};
             box.min = {std::min(box.min.x, at.x), std::min(box.min.y, at.y)};
@@ -69,16 +81,33 @@ private:
         }
         return box;
     }
-    std::size_t stripAt(double y) const {
-        return static_cast<std::size_t>(std::max(0.0, (y - firstY_) / stripM_));
+    std::size_t placeOf(double away) const { return static_cast<std::size_t>(std::max(0.0, away / cellM_)); }
+
+    template <class Visit>
+    void forEachCell(const Bounds& box, const Visit& visit) const {
+        if (box.max.x < corner_.x || box.max.y < corner_.y) {
+            return;
+        }
+        const std::size_t right = placeOf(box.max.x - corner_.x);
+        const std::size_t top = placeOf(box.max.y - corner_.y);
+        for (std::size_t row = placeOf(box.min.y - corner_.y); row <= top && row < rows_; ++row) {
+            for (std::size_t column = placeOf(box.min.x - corner_.x); column <= right && column < columns_;
+                 ++column) {
+                visit(row * columns_ + column);
+            }
+        }
     }
 
     const std::vector<SweptPiece>& pieces_;
     Point along_;
-    double stripM_;
-    double firstY_ = std::numeric_limits<double>::infinity();
+    double cellM_;
+    Point corner_;
+    std::size_t columns_ = 0;
+    std::size_t rows_ = 0;
     std::vector<Bounds> boxes_;
-    std::vector<std::vector<std::size_t>> strips_;
+    // The pieces of cell i start at first_[i] of inCells_.
+    std::vector<std::uint32_t> first_;
+    std::vector<std::uint32_t> inCells_;
 };
 
 /// Parts of one step, from 0 to 1.
