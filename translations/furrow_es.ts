@@ -7039,7 +7039,7 @@
     </message>
     <message>
         <source>The bunker is full in %1: %2 are worked beyond that.</source>
-        <translation>La tolva está llena en %1: se trabajan %2 más.</translation>
+        <translation>La tolva está llena (%1): se trabajan %2 más.</translation>
     </message>
     <message>
         <source>The level changes %1 away from the refill points.</source>
@@ -7071,7 +7071,7 @@
     </message>
     <message>
         <source>The tank is empty in %1: %2 are worked beyond that.</source>
-        <translation>El depósito está vacío en %1: se trabajan %2 más.</translation>
+        <translation>El depósito está vacío (%1): se trabajan %2 más.</translation>
     </message>
     <message>
         <source>Time to fill</source>

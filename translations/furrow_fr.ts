@@ -7039,7 +7039,7 @@
     </message>
     <message>
         <source>The bunker is full in %1: %2 are worked beyond that.</source>
-        <translation>La trémie est pleine dans %1 : %2 sont travaillés au-delà.</translation>
+        <translation>La trémie est pleine (%1) : %2 sont travaillés au-delà.</translation>
     </message>
     <message>
         <source>The level changes %1 away from the refill points.</source>
@@ -7071,7 +7071,7 @@
     </message>
     <message>
         <source>The tank is empty in %1: %2 are worked beyond that.</source>
-        <translation>La cuve est vide dans %1 : %2 sont travaillés au-delà.</translation>
+        <translation>La cuve est vide (%1) : %2 sont travaillés au-delà.</translation>
     </message>
     <message>
         <source>Time to fill</source>

@@ -7039,7 +7039,7 @@
     </message>
     <message>
         <source>The bunker is full in %1: %2 are worked beyond that.</source>
-        <translation>O tanque graneleiro está cheio em %1: %2 são trabalhados além disso.</translation>
+        <translation>O tanque graneleiro está cheio (%1): %2 são trabalhados além disso.</translation>
     </message>
     <message>
         <source>The level changes %1 away from the refill points.</source>
@@ -7071,7 +7071,7 @@
     </message>
     <message>
         <source>The tank is empty in %1: %2 are worked beyond that.</source>
-        <translation>O tanque está vazio em %1: %2 são trabalhados além disso.</translation>
+        <translation>O tanque está vazio (%1): %2 são trabalhados além disso.</translation>
     </message>
     <message>
         <source>Time to fill</source>
