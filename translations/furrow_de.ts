@@ -29,601 +29,6 @@
     </message>
 </context>
 <context>
-    <name>AppCommands</name>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>Schlag</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>New project</source>
-        <translation>Neues Projekt</translation>
-    </message>
-    <message>
-        <source>farm</source>
-        <translation>betrieb</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Öffnen …</translation>
-    </message>
-    <message>
-        <source>boundary import project</source>
-        <translation>feldgrenze import projekt</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter …</translation>
-    </message>
-    <message>
-        <source>Export the plan…</source>
-        <translation>Plan exportieren …</translation>
-    </message>
-    <message>
-        <source>ISOXML USB terminal</source>
-        <translation>ISOXML USB terminal</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Draw a point</source>
-        <translation>Punkt zeichnen</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Auswahl löschen</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
-        <source>Select the next point</source>
-        <translation>Nächsten Punkt auswählen</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
-    </message>
-    <message>
-        <source>Find a command…</source>
-        <translation>Befehl suchen …</translation>
-    </message>
-    <message>
-        <source>Draw a field</source>
-        <translation>Schlag zeichnen</translation>
-    </message>
-    <message>
-        <source>boundary polygon</source>
-        <translation>feldgrenze polygon</translation>
-    </message>
-    <message>
-        <source>Draw a hole</source>
-        <translation>Aussparung zeichnen</translation>
-    </message>
-    <message>
-        <source>Draw an obstacle</source>
-        <translation>Hindernis zeichnen</translation>
-    </message>
-    <message>
-        <source>pond tree pole wet</source>
-        <translation>teich baum mast nass</translation>
-    </message>
-    <message>
-        <source>Draw an AB line</source>
-        <translation>AB-Linie zeichnen</translation>
-    </message>
-    <message>
-        <source>guidance curve direction</source>
-        <translation>leitlinie kurve richtung</translation>
-    </message>
-    <message>
-        <source>Add a gate</source>
-        <translation>Zufahrt hinzufügen</translation>
-    </message>
-    <message>
-        <source>entry road</source>
-        <translation>einfahrt weg</translation>
-    </message>
-    <message>
-        <source>Select and change</source>
-        <translation>Auswählen und ändern</translation>
-    </message>
-    <message>
-        <source>Make the outline&apos;s steps straight</source>
-        <translation>Stufen des Umrisses begradigen</translation>
-    </message>
-    <message>
-        <source>pixels image stairs smooth simplify</source>
-        <translation>Pixel Bild Treppe glätten vereinfachen</translation>
-    </message>
-    <message>
-        <source>Rename the field…</source>
-        <translation>Schlag umbenennen …</translation>
-    </message>
-    <message>
-        <source>Remove the field</source>
-        <translation>Schlag entfernen</translation>
-    </message>
-    <message>
-        <source>delete</source>
-        <translation>löschen</translation>
-    </message>
-    <message>
-        <source>Next field</source>
-        <translation>Nächster Schlag</translation>
-    </message>
-    <message>
-        <source>Add a plan…</source>
-        <translation>Plan hinzufügen …</translation>
-    </message>
-    <message>
-        <source>season operation copy</source>
-        <translation>saison arbeitsgang kopie</translation>
-    </message>
-    <message>
-        <source>Rename the plan…</source>
-        <translation>Plan umbenennen …</translation>
-    </message>
-    <message>
-        <source>Remove the plan</source>
-        <translation>Plan entfernen</translation>
-    </message>
-    <message>
-        <source>Plan again</source>
-        <translation>Neu planen</translation>
-    </message>
-    <message>
-        <source>Show the whole field</source>
-        <translation>Ganzen Schlag zeigen</translation>
-    </message>
-    <message>
-        <source>Closer</source>
-        <translation>Näher heran</translation>
-    </message>
-    <message>
-        <source>zoom in</source>
-        <translation>vergrößern zoom</translation>
-    </message>
-    <message>
-        <source>Further away</source>
-        <translation>Weiter weg</translation>
-    </message>
-    <message>
-        <source>zoom out</source>
-        <translation>verkleinern zoom</translation>
-    </message>
-    <message>
-        <source>Results panel</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Layer: boundary</source>
-        <translation>Ebene: Feldgrenze</translation>
-    </message>
-    <message>
-        <source>Layer: headland</source>
-        <translation>Ebene: Vorgewende</translation>
-    </message>
-    <message>
-        <source>Layer: swaths</source>
-        <translation>Ebene: Spuren</translation>
-    </message>
-    <message>
-        <source>Layer: turns</source>
-        <translation>Ebene: Wendungen</translation>
-    </message>
-    <message>
-        <source>Layer: driving direction</source>
-        <translation>Ebene: Fahrtrichtung</translation>
-    </message>
-    <message>
-        <source>Layer: order numbers</source>
-        <translation>Ebene: Reihenfolge</translation>
-    </message>
-    <message>
-        <source>Layer: findings</source>
-        <translation>Ebene: Hinweise</translation>
-    </message>
-    <message>
-        <source>Language and units…</source>
-        <translation>Sprache und Einheiten …</translation>
-    </message>
-    <message>
-        <source>preferences settings metric imperial feet acres</source>
-        <translation>einstellungen metrisch imperial fuß acre</translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation>Helle Farben</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>farbschema</translation>
-    </message>
-    <message>
-        <source>Dark colours</source>
-        <translation>Dunkle Farben</translation>
-    </message>
-    <message>
-        <source>theme night</source>
-        <translation>farbschema nacht</translation>
-    </message>
-    <message>
-        <source>Sunlight colours</source>
-        <translation>Farben für Sonnenlicht</translation>
-    </message>
-    <message>
-        <source>theme contrast</source>
-        <translation>farbschema kontrast</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>shortcuts help</source>
-        <translation>tastenkürzel hilfe</translation>
-    </message>
-    <message>
-        <source>Everything at %1 %</source>
-        <translation>Anzeige auf %1 %</translation>
-    </message>
-    <message>
-        <source>size scaling zoom large text</source>
-        <translation>Größe Skalierung Zoom große Schrift</translation>
-    </message>
-    <message>
-        <source>Add imagery…</source>
-        <translation>Luftbild hinzufügen …</translation>
-    </message>
-    <message>
-        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
-        <translation>GeoTIFF MBTiles Luftbild Satellit Hintergrund Höhen Gelände</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles…</source>
-        <translation>Ordner mit Kacheln hinzufügen …</translation>
-    </message>
-    <message>
-        <source>imagery XYZ TMS</source>
-        <translation>Luftbild XYZ TMS</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>imagery map background</source>
-        <translation>Luftbild Karte Hintergrund</translation>
-    </message>
-    <message>
-        <source>Layer: imagery</source>
-        <translation>Ebene: Luftbild</translation>
-    </message>
-    <message>
-        <source>Layer: OpenStreetMap from the network</source>
-        <translation>Ebene: OpenStreetMap aus dem Internet</translation>
-    </message>
-    <message>
-        <source>online tiles</source>
-        <translation>online Kacheln</translation>
-    </message>
-    <message>
-        <source>Layer: coverage</source>
-        <translation>Ebene: bearbeitete Fläche</translation>
-    </message>
-    <message>
-        <source>Layer: worked twice</source>
-        <translation>Ebene: doppelt bearbeitet</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>Überlappung</translation>
-    </message>
-    <message>
-        <source>Layer: missed</source>
-        <translation>Ebene: Fehlstellen</translation>
-    </message>
-    <message>
-        <source>gap uncovered</source>
-        <translation>Lücke unbearbeitet</translation>
-    </message>
-    <message>
-        <source>Layer: driven over often</source>
-        <translation>Ebene: oft überfahren</translation>
-    </message>
-    <message>
-        <source>wheel passes traffic compaction</source>
-        <translation>Radspuren Überfahrten Verdichtung</translation>
-    </message>
-    <message>
-        <source>Take the tour</source>
-        <translation>Rundgang starten</translation>
-    </message>
-    <message>
-        <source>help introduction first start</source>
-        <translation>Hilfe Einführung erster Start</translation>
-    </message>
-    <message>
-        <source>Select the next edge</source>
-        <translation>Nächste Kante auswählen</translation>
-    </message>
-    <message>
-        <source>Select the next outline, line or gate</source>
-        <translation>Nächsten Umriss, nächste Linie oder Zufahrt auswählen</translation>
-    </message>
-    <message>
-        <source>PgDown</source>
-        <translation>Bild ab</translation>
-    </message>
-    <message>
-        <source>Draw a split line</source>
-        <translation>Teilungslinie zeichnen</translation>
-    </message>
-    <message>
-        <source>cut divide mainland parts</source>
-        <translation>schneiden teilen innenfläche teile</translation>
-    </message>
-    <message>
-        <source>Find the best plan…</source>
-        <translation>Besten Plan suchen …</translation>
-    </message>
-    <message>
-        <source>quickest optimise compare alternatives</source>
-        <translation>schnellster optimieren vergleichen Alternativen</translation>
-    </message>
-    <message>
-        <source>Change the order by hand…</source>
-        <translation>Reihenfolge von Hand ändern …</translation>
-    </message>
-    <message>
-        <source>order swaths list drag sequence</source>
-        <translation>reihenfolge spuren liste ziehen folge</translation>
-    </message>
-    <message>
-        <source>Print the work order…</source>
-        <translation>Arbeitsauftrag drucken …</translation>
-    </message>
-    <message>
-        <source>print pdf report work order picture printer</source>
-        <translation>drucken PDF Bericht Arbeitsauftrag Bild Drucker</translation>
-    </message>
-    <message>
-        <source>Drive through the plan</source>
-        <translation>Plan abfahren</translation>
-    </message>
-    <message>
-        <source>Pause the drive</source>
-        <translation>Fahrt anhalten</translation>
-    </message>
-    <message>
-        <source>drive play pause simulate machine</source>
-        <translation>fahren abspielen anhalten simulieren Maschine</translation>
-    </message>
-    <message>
-        <source>Drive from what is selected</source>
-        <translation>Ab der Auswahl fahren</translation>
-    </message>
-    <message>
-        <source>drive play here swath turn</source>
-        <translation>fahren abspielen hier Spur Wendung</translation>
-    </message>
-    <message>
-        <source>Drive faster</source>
-        <translation>Schneller fahren</translation>
-    </message>
-    <message>
-        <source>pace speed</source>
-        <translation>Tempo Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Drive slower</source>
-        <translation>Langsamer fahren</translation>
-    </message>
-    <message>
-        <source>Follow the machine</source>
-        <translation>Der Maschine folgen</translation>
-    </message>
-    <message>
-        <source>drive camera centre</source>
-        <translation>fahren Karte Mitte</translation>
-    </message>
-    <message>
-        <source>Drive-through bar</source>
-        <translation>Leiste zum Abfahren</translation>
-    </message>
-    <message>
-        <source>drive play slider</source>
-        <translation>fahren abspielen Regler</translation>
-    </message>
-    <message>
-        <source>Comment on a place…</source>
-        <translation>Stelle kommentieren …</translation>
-    </message>
-    <message>
-        <source>review note remark pin</source>
-        <translation>Durchsicht Notiz Bemerkung Stelle</translation>
-    </message>
-    <message>
-        <source>Comment on the whole plan…</source>
-        <translation>Ganzen Plan kommentieren …</translation>
-    </message>
-    <message>
-        <source>review note remark</source>
-        <translation>Durchsicht Notiz Bemerkung</translation>
-    </message>
-    <message>
-        <source>contractor share file approve</source>
-        <translation>Lohnunternehmer teilen Datei zustimmen</translation>
-    </message>
-    <message>
-        <source>Take in a review that came back…</source>
-        <translation>Zurückgekommene Durchsicht übernehmen …</translation>
-    </message>
-    <message>
-        <source>merge comments contractor</source>
-        <translation>zusammenführen Kommentare Lohnunternehmer</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Nächster Hinweis</translation>
-    </message>
-    <message>
-        <source>problem check step through</source>
-        <translation>Problem prüfen durchgehen</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Voriger Hinweis</translation>
-    </message>
-    <message>
-        <source>problem check step back</source>
-        <translation>Problem prüfen zurück</translation>
-    </message>
-    <message>
-        <source>All fields of the farm</source>
-        <translation>Alle Schläge des Betriebs</translation>
-    </message>
-    <message>
-        <source>list overview plan all batch totals</source>
-        <translation>Liste Übersicht alle planen Summen</translation>
-    </message>
-    <message>
-        <source>Compare with another plan</source>
-        <translation>Mit einem anderen Plan vergleichen</translation>
-    </message>
-    <message>
-        <source>compare variants differences side by side better</source>
-        <translation>vergleichen Varianten Unterschiede nebeneinander besser</translation>
-    </message>
-    <message>
-        <source>Compare with a recorded track…</source>
-        <translation>Mit einer Aufzeichnung vergleichen …</translation>
-    </message>
-    <message>
-        <source>driven recorded GPX NMEA log cross-track error compare</source>
-        <translation>gefahren aufgezeichnet GPX NMEA Spurabweichung vergleichen</translation>
-    </message>
-    <message>
-        <source>What the map shows</source>
-        <translation>Was die Karte zeigt</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Size of everything</source>
-        <translation>Größe der Anzeige</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>Layer: swath numbers</source>
-        <translation>Ebene: Spurnummern</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>help manual how to documentation</source>
-        <translation>Hilfe Anleitung Dokumentation wie</translation>
-    </message>
-    <message>
-        <source>About Furrow</source>
-        <translation>Über Furrow</translation>
-    </message>
-    <message>
-        <source>version licence credits</source>
-        <translation>Version Lizenz Danksagung</translation>
-    </message>
-    <message>
-        <source>Report a problem…</source>
-        <translation>Ein Problem melden …</translation>
-    </message>
-    <message>
-        <source>bug crash support error</source>
-        <translation>Fehler Absturz Hilfe</translation>
-    </message>
-    <message>
-        <source>Make a field from a recorded track…</source>
-        <translation>Schlag aus einer Aufzeichnung machen…</translation>
-    </message>
-    <message>
-        <source>boundary driven recorded GPX NMEA log drive around</source>
-        <translation>Feldgrenze gefahren aufgezeichnet GPX NMEA umfahren</translation>
-    </message>
-    <message>
-        <source>Compare on two maps</source>
-        <translation>Auf zwei Karten vergleichen</translation>
-    </message>
-    <message>
-        <source>compare side by side split map</source>
-        <translation>vergleichen nebeneinander geteilte Karte zwei</translation>
-    </message>
-    <message>
-        <source>Next finding of the same kind</source>
-        <translation>Nächster Hinweis derselben Art</translation>
-    </message>
-    <message>
-        <source>Previous finding of the same kind</source>
-        <translation>Voriger Hinweis derselben Art</translation>
-    </message>
-    <message>
-        <source>Go to a place…</source>
-        <translation>Zu einem Ort gehen …</translation>
-    </message>
-    <message>
-        <source>coordinates latitude longitude map</source>
-        <translation>Koordinaten Breite Länge Karte</translation>
-    </message>
-</context>
-<context>
     <name>BestPlanDialog</name>
     <message>
         <source>The best plan found</source>
@@ -997,6 +402,65 @@
     </message>
 </context>
 <context>
+    <name>EditCommands</name>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Draw a point</source>
+        <translation>Punkt zeichnen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Auswahl löschen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Nächsten Punkt auswählen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Select the next edge</source>
+        <translation>Nächste Kante auswählen</translation>
+    </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Nächsten Umriss, nächste Linie oder Zufahrt auswählen</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Befehl suchen …</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -1348,6 +812,101 @@
     </message>
 </context>
 <context>
+    <name>FieldCommands</name>
+    <message>
+        <source>Field</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Schlag zeichnen</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>feldgrenze polygon</translation>
+    </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Schlag aus einer Aufzeichnung machen…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>Feldgrenze gefahren aufgezeichnet GPX NMEA umfahren</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Aussparung zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Hindernis zeichnen</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>teich baum mast nass</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>AB-Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>leitlinie kurve richtung</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Teilungslinie zeichnen</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>schneiden teilen innenfläche teile</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Zufahrt hinzufügen</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>einfahrt weg</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Auswählen und ändern</translation>
+    </message>
+    <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Stufen des Umrisses begradigen</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>Pixel Bild Treppe glätten vereinfachen</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Schlag umbenennen …</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Schlag entfernen</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Nächster Schlag</translation>
+    </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Alle Schläge des Betriebs</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>Liste Übersicht alle planen Summen</translation>
+    </message>
+</context>
+<context>
     <name>FieldFromTrackPanel</name>
     <message>
         <source>Field from a track</source>
@@ -1406,6 +965,73 @@
     <message>
         <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
         <translation>%1: Der Plan hat Probleme und ist so, wie er gezeichnet ist, nicht fahrbar. Die Dateien sagen es auch.</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>betrieb</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>feldgrenze import projekt</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Luftbild hinzufügen …</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles Luftbild Satellit Hintergrund Höhen Gelände</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ordner mit Kacheln hinzufügen …</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>Luftbild XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Plan exportieren …</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Arbeitsauftrag drucken …</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>drucken PDF Bericht Arbeitsauftrag Bild Drucker</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +1329,53 @@
     <message>
         <source>Let Furrow search the direction</source>
         <translation>Richtung von Furrow suchen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>Hilfe Anleitung Dokumentation wie</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang starten</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>Hilfe Einführung erster Start</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>tastenkürzel hilfe</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Ein Problem melden …</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>Fehler Absturz Hilfe</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Über Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>Version Lizenz Danksagung</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2180,161 @@
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>PlanCommands</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Plan hinzufügen …</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>saison arbeitsgang kopie</translation>
+    </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Mit einem anderen Plan vergleichen</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>vergleichen Varianten Unterschiede nebeneinander besser</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Auf zwei Karten vergleichen</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>vergleichen nebeneinander geteilte Karte zwei</translation>
+    </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Mit einer Aufzeichnung vergleichen …</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>gefahren aufgezeichnet GPX NMEA Spurabweichung vergleichen</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Plan umbenennen …</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Plan entfernen</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Neu planen</translation>
+    </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Besten Plan suchen …</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>schnellster optimieren vergleichen Alternativen</translation>
+    </message>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Reihenfolge von Hand ändern …</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>reihenfolge spuren liste ziehen folge</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Plan abfahren</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Fahrt anhalten</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>fahren abspielen anhalten simulieren Maschine</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Ab der Auswahl fahren</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>fahren abspielen hier Spur Wendung</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Schneller fahren</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>Tempo Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Langsamer fahren</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Stelle kommentieren …</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>Durchsicht Notiz Bemerkung Stelle</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Ganzen Plan kommentieren …</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>Durchsicht Notiz Bemerkung</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>Lohnunternehmer teilen Datei zustimmen</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Zurückgekommene Durchsicht übernehmen …</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>zusammenführen Kommentare Lohnunternehmer</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Nächster Hinweis</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>Problem prüfen durchgehen</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Voriger Hinweis</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>Problem prüfen zurück</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Nächster Hinweis derselben Art</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Voriger Hinweis derselben Art</translation>
     </message>
 </context>
 <context>
@@ -7929,6 +7757,197 @@
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Was die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Größe der Anzeige</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Anzeige auf %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>Größe Skalierung Zoom große Schrift</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Der Maschine folgen</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>fahren Karte Mitte</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Leiste zum Abfahren</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>fahren abspielen Regler</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Ganzen Schlag zeigen</translation>
+    </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Zu einem Ort gehen …</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>Koordinaten Breite Länge Karte</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Näher heran</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>vergrößern zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Weiter weg</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>verkleinern zoom</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>Luftbild Karte Hintergrund</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Ebene: Luftbild</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Ebene: OpenStreetMap aus dem Internet</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online Kacheln</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Ebene: Feldgrenze</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Ebene: Vorgewende</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Ebene: Spuren</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Ebene: Wendungen</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Ebene: Fahrtrichtung</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Ebene: Spurnummern</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Ebene: Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Ebene: bearbeitete Fläche</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Ebene: doppelt bearbeitet</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Ebene: Fehlstellen</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>Lücke unbearbeitet</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Ebene: oft überfahren</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>Radspuren Überfahrten Verdichtung</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Ebene: Hinweise</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Sprache und Einheiten …</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>einstellungen metrisch imperial fuß acre</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>farbschema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>farbschema nacht</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Farben für Sonnenlicht</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>farbschema kontrast</translation>
     </message>
 </context>
 <context>

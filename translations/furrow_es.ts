@@ -29,601 +29,6 @@
     </message>
 </context>
 <context>
-    <name>AppCommands</name>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Editar</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>Parcela</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ver</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Ayuda</translation>
-    </message>
-    <message>
-        <source>New project</source>
-        <translation>Proyecto nuevo</translation>
-    </message>
-    <message>
-        <source>farm</source>
-        <translation>explotación</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Abrir…</translation>
-    </message>
-    <message>
-        <source>boundary import project</source>
-        <translation>límite importar proyecto</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Guardar</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Guardar como…</translation>
-    </message>
-    <message>
-        <source>Export the plan…</source>
-        <translation>Exportar el plan…</translation>
-    </message>
-    <message>
-        <source>ISOXML USB terminal</source>
-        <translation>ISOXML USB terminal</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Salir</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Deshacer: %1</translation>
-    </message>
-    <message>
-        <source>Draw a point</source>
-        <translation>Dibujar un punto</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Rehacer: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rehacer</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Eliminar la selección</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Supr</translation>
-    </message>
-    <message>
-        <source>Select the next point</source>
-        <translation>Seleccionar el punto siguiente</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Espacio</translation>
-    </message>
-    <message>
-        <source>Find a command…</source>
-        <translation>Buscar un comando…</translation>
-    </message>
-    <message>
-        <source>Draw a field</source>
-        <translation>Dibujar una parcela</translation>
-    </message>
-    <message>
-        <source>boundary polygon</source>
-        <translation>límite polígono</translation>
-    </message>
-    <message>
-        <source>Draw a hole</source>
-        <translation>Dibujar un hueco</translation>
-    </message>
-    <message>
-        <source>Draw an obstacle</source>
-        <translation>Dibujar un obstáculo</translation>
-    </message>
-    <message>
-        <source>pond tree pole wet</source>
-        <translation>charca árbol poste húmedo</translation>
-    </message>
-    <message>
-        <source>Draw an AB line</source>
-        <translation>Dibujar una línea AB</translation>
-    </message>
-    <message>
-        <source>guidance curve direction</source>
-        <translation>guiado curva dirección</translation>
-    </message>
-    <message>
-        <source>Add a gate</source>
-        <translation>Añadir una entrada</translation>
-    </message>
-    <message>
-        <source>entry road</source>
-        <translation>acceso camino</translation>
-    </message>
-    <message>
-        <source>Select and change</source>
-        <translation>Seleccionar y cambiar</translation>
-    </message>
-    <message>
-        <source>Make the outline&apos;s steps straight</source>
-        <translation>Enderezar los escalones del contorno</translation>
-    </message>
-    <message>
-        <source>pixels image stairs smooth simplify</source>
-        <translation>píxeles imagen escalera suavizar simplificar</translation>
-    </message>
-    <message>
-        <source>Rename the field…</source>
-        <translation>Renombrar la parcela…</translation>
-    </message>
-    <message>
-        <source>Remove the field</source>
-        <translation>Quitar la parcela</translation>
-    </message>
-    <message>
-        <source>delete</source>
-        <translation>eliminar</translation>
-    </message>
-    <message>
-        <source>Next field</source>
-        <translation>Parcela siguiente</translation>
-    </message>
-    <message>
-        <source>Add a plan…</source>
-        <translation>Añadir un plan…</translation>
-    </message>
-    <message>
-        <source>season operation copy</source>
-        <translation>campaña operación copia</translation>
-    </message>
-    <message>
-        <source>Rename the plan…</source>
-        <translation>Renombrar el plan…</translation>
-    </message>
-    <message>
-        <source>Remove the plan</source>
-        <translation>Quitar el plan</translation>
-    </message>
-    <message>
-        <source>Plan again</source>
-        <translation>Planificar de nuevo</translation>
-    </message>
-    <message>
-        <source>Show the whole field</source>
-        <translation>Mostrar toda la parcela</translation>
-    </message>
-    <message>
-        <source>Closer</source>
-        <translation>Acercar</translation>
-    </message>
-    <message>
-        <source>zoom in</source>
-        <translation>ampliar zoom</translation>
-    </message>
-    <message>
-        <source>Further away</source>
-        <translation>Alejar</translation>
-    </message>
-    <message>
-        <source>zoom out</source>
-        <translation>reducir zoom</translation>
-    </message>
-    <message>
-        <source>Results panel</source>
-        <translation>Resultados</translation>
-    </message>
-    <message>
-        <source>Layer: boundary</source>
-        <translation>Capa: límite de parcela</translation>
-    </message>
-    <message>
-        <source>Layer: headland</source>
-        <translation>Capa: cabecera</translation>
-    </message>
-    <message>
-        <source>Layer: swaths</source>
-        <translation>Capa: pasadas</translation>
-    </message>
-    <message>
-        <source>Layer: turns</source>
-        <translation>Capa: giros</translation>
-    </message>
-    <message>
-        <source>Layer: driving direction</source>
-        <translation>Capa: sentido de marcha</translation>
-    </message>
-    <message>
-        <source>Layer: order numbers</source>
-        <translation>Capa: números de orden</translation>
-    </message>
-    <message>
-        <source>Layer: findings</source>
-        <translation>Capa: avisos</translation>
-    </message>
-    <message>
-        <source>Language and units…</source>
-        <translation>Idioma y unidades…</translation>
-    </message>
-    <message>
-        <source>preferences settings metric imperial feet acres</source>
-        <translation>preferencias ajustes métrico imperial pies acres</translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation>Colores claros</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>tema</translation>
-    </message>
-    <message>
-        <source>Dark colours</source>
-        <translation>Colores oscuros</translation>
-    </message>
-    <message>
-        <source>theme night</source>
-        <translation>tema noche</translation>
-    </message>
-    <message>
-        <source>Sunlight colours</source>
-        <translation>Colores para pleno sol</translation>
-    </message>
-    <message>
-        <source>theme contrast</source>
-        <translation>tema contraste</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Teclas y ratón</translation>
-    </message>
-    <message>
-        <source>shortcuts help</source>
-        <translation>atajos ayuda</translation>
-    </message>
-    <message>
-        <source>Everything at %1 %</source>
-        <translation>Todo al %1 %</translation>
-    </message>
-    <message>
-        <source>size scaling zoom large text</source>
-        <translation>tamaño escala zoom texto grande</translation>
-    </message>
-    <message>
-        <source>Add imagery…</source>
-        <translation>Añadir imágenes…</translation>
-    </message>
-    <message>
-        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
-        <translation>GeoTIFF MBTiles foto aérea satélite fondo altura relieve</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles…</source>
-        <translation>Añadir una carpeta de teselas…</translation>
-    </message>
-    <message>
-        <source>imagery XYZ TMS</source>
-        <translation>imágenes XYZ TMS</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Capas</translation>
-    </message>
-    <message>
-        <source>imagery map background</source>
-        <translation>imágenes mapa fondo</translation>
-    </message>
-    <message>
-        <source>Layer: imagery</source>
-        <translation>Capa: imágenes</translation>
-    </message>
-    <message>
-        <source>Layer: OpenStreetMap from the network</source>
-        <translation>Capa: OpenStreetMap de la red</translation>
-    </message>
-    <message>
-        <source>online tiles</source>
-        <translation>en línea teselas</translation>
-    </message>
-    <message>
-        <source>Layer: coverage</source>
-        <translation>Capa: superficie trabajada</translation>
-    </message>
-    <message>
-        <source>Layer: worked twice</source>
-        <translation>Capa: trabajado dos veces</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>solape</translation>
-    </message>
-    <message>
-        <source>Layer: missed</source>
-        <translation>Capa: zonas sin trabajar</translation>
-    </message>
-    <message>
-        <source>gap uncovered</source>
-        <translation>hueco sin cubrir</translation>
-    </message>
-    <message>
-        <source>Layer: driven over often</source>
-        <translation>Capa: pasos de rueda</translation>
-    </message>
-    <message>
-        <source>wheel passes traffic compaction</source>
-        <translation>pasos de rueda tráfico compactación</translation>
-    </message>
-    <message>
-        <source>Take the tour</source>
-        <translation>Hacer la visita guiada</translation>
-    </message>
-    <message>
-        <source>help introduction first start</source>
-        <translation>ayuda introducción primer inicio</translation>
-    </message>
-    <message>
-        <source>Select the next edge</source>
-        <translation>Seleccionar el lado siguiente</translation>
-    </message>
-    <message>
-        <source>Select the next outline, line or gate</source>
-        <translation>Contorno, línea o entrada siguiente</translation>
-    </message>
-    <message>
-        <source>PgDown</source>
-        <translation>Av Pág</translation>
-    </message>
-    <message>
-        <source>Draw a split line</source>
-        <translation>Dibujar una línea de división</translation>
-    </message>
-    <message>
-        <source>cut divide mainland parts</source>
-        <translation>cortar dividir interior partes</translation>
-    </message>
-    <message>
-        <source>Find the best plan…</source>
-        <translation>Buscar el mejor plan…</translation>
-    </message>
-    <message>
-        <source>quickest optimise compare alternatives</source>
-        <translation>más rápido optimizar comparar alternativas</translation>
-    </message>
-    <message>
-        <source>Change the order by hand…</source>
-        <translation>Cambiar el orden a mano…</translation>
-    </message>
-    <message>
-        <source>order swaths list drag sequence</source>
-        <translation>orden pasadas lista arrastrar secuencia</translation>
-    </message>
-    <message>
-        <source>Print the work order…</source>
-        <translation>Imprimir la orden de trabajo…</translation>
-    </message>
-    <message>
-        <source>print pdf report work order picture printer</source>
-        <translation>imprimir PDF informe orden de trabajo imagen impresora</translation>
-    </message>
-    <message>
-        <source>Drive through the plan</source>
-        <translation>Recorrer el plan</translation>
-    </message>
-    <message>
-        <source>Pause the drive</source>
-        <translation>Pausar el recorrido</translation>
-    </message>
-    <message>
-        <source>drive play pause simulate machine</source>
-        <translation>recorrer reproducir pausa simular máquina</translation>
-    </message>
-    <message>
-        <source>Drive from what is selected</source>
-        <translation>Recorrer desde lo seleccionado</translation>
-    </message>
-    <message>
-        <source>drive play here swath turn</source>
-        <translation>recorrer aquí pasada giro</translation>
-    </message>
-    <message>
-        <source>Drive faster</source>
-        <translation>Recorrer más rápido</translation>
-    </message>
-    <message>
-        <source>pace speed</source>
-        <translation>ritmo velocidad</translation>
-    </message>
-    <message>
-        <source>Drive slower</source>
-        <translation>Recorrer más lento</translation>
-    </message>
-    <message>
-        <source>Follow the machine</source>
-        <translation>Seguir la máquina</translation>
-    </message>
-    <message>
-        <source>drive camera centre</source>
-        <translation>recorrer mapa centro</translation>
-    </message>
-    <message>
-        <source>Drive-through bar</source>
-        <translation>Barra de recorrido</translation>
-    </message>
-    <message>
-        <source>drive play slider</source>
-        <translation>recorrer reproducir control</translation>
-    </message>
-    <message>
-        <source>Comment on a place…</source>
-        <translation>Comentar un lugar…</translation>
-    </message>
-    <message>
-        <source>review note remark pin</source>
-        <translation>revisión nota observación lugar</translation>
-    </message>
-    <message>
-        <source>Comment on the whole plan…</source>
-        <translation>Comentar todo el plan…</translation>
-    </message>
-    <message>
-        <source>review note remark</source>
-        <translation>revisión nota observación</translation>
-    </message>
-    <message>
-        <source>contractor share file approve</source>
-        <translation>contratista compartir archivo aprobar</translation>
-    </message>
-    <message>
-        <source>Take in a review that came back…</source>
-        <translation>Incorporar una revisión recibida…</translation>
-    </message>
-    <message>
-        <source>merge comments contractor</source>
-        <translation>unir comentarios contratista</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Aviso siguiente</translation>
-    </message>
-    <message>
-        <source>problem check step through</source>
-        <translation>problema comprobar recorrer</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Aviso anterior</translation>
-    </message>
-    <message>
-        <source>problem check step back</source>
-        <translation>problema comprobar atrás</translation>
-    </message>
-    <message>
-        <source>All fields of the farm</source>
-        <translation>Todas las parcelas de la explotación</translation>
-    </message>
-    <message>
-        <source>list overview plan all batch totals</source>
-        <translation>lista resumen planificar todas totales</translation>
-    </message>
-    <message>
-        <source>Compare with another plan</source>
-        <translation>Comparar con otro plan</translation>
-    </message>
-    <message>
-        <source>compare variants differences side by side better</source>
-        <translation>comparar variantes diferencias lado a lado mejor</translation>
-    </message>
-    <message>
-        <source>Compare with a recorded track…</source>
-        <translation>Comparar con un recorrido grabado…</translation>
-    </message>
-    <message>
-        <source>driven recorded GPX NMEA log cross-track error compare</source>
-        <translation>recorrido grabado GPX NMEA desviación comparar</translation>
-    </message>
-    <message>
-        <source>What the map shows</source>
-        <translation>Lo que muestra el mapa</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Colores</translation>
-    </message>
-    <message>
-        <source>Size of everything</source>
-        <translation>Tamaño de la interfaz</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Pasos</translation>
-    </message>
-    <message>
-        <source>Layer: swath numbers</source>
-        <translation>Capa: números de las pasadas</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Guía</translation>
-    </message>
-    <message>
-        <source>help manual how to documentation</source>
-        <translation>ayuda manual documentación cómo</translation>
-    </message>
-    <message>
-        <source>About Furrow</source>
-        <translation>Acerca de Furrow</translation>
-    </message>
-    <message>
-        <source>version licence credits</source>
-        <translation>versión licencia créditos</translation>
-    </message>
-    <message>
-        <source>Report a problem…</source>
-        <translation>Informar de un problema…</translation>
-    </message>
-    <message>
-        <source>bug crash support error</source>
-        <translation>error fallo soporte</translation>
-    </message>
-    <message>
-        <source>Make a field from a recorded track…</source>
-        <translation>Hacer una parcela de un recorrido grabado…</translation>
-    </message>
-    <message>
-        <source>boundary driven recorded GPX NMEA log drive around</source>
-        <translation>límite conducido grabado GPX NMEA rodear</translation>
-    </message>
-    <message>
-        <source>Compare on two maps</source>
-        <translation>Comparar en dos mapas</translation>
-    </message>
-    <message>
-        <source>compare side by side split map</source>
-        <translation>comparar lado a lado mapa dividido dos</translation>
-    </message>
-    <message>
-        <source>Next finding of the same kind</source>
-        <translation>Siguiente aviso del mismo tipo</translation>
-    </message>
-    <message>
-        <source>Previous finding of the same kind</source>
-        <translation>Aviso anterior del mismo tipo</translation>
-    </message>
-    <message>
-        <source>Go to a place…</source>
-        <translation>Ir a un lugar…</translation>
-    </message>
-    <message>
-        <source>coordinates latitude longitude map</source>
-        <translation>coordenadas latitud longitud mapa</translation>
-    </message>
-</context>
-<context>
     <name>BestPlanDialog</name>
     <message>
         <source>The best plan found</source>
@@ -997,6 +402,65 @@
     </message>
 </context>
 <context>
+    <name>EditCommands</name>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>Draw a point</source>
+        <translation>Dibujar un punto</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Eliminar la selección</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Seleccionar el punto siguiente</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Select the next edge</source>
+        <translation>Seleccionar el lado siguiente</translation>
+    </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Contorno, línea o entrada siguiente</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Buscar un comando…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -1348,6 +812,101 @@
     </message>
 </context>
 <context>
+    <name>FieldCommands</name>
+    <message>
+        <source>Field</source>
+        <translation>Parcela</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Dibujar una parcela</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>límite polígono</translation>
+    </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Hacer una parcela de un recorrido grabado…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>límite conducido grabado GPX NMEA rodear</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Dibujar un hueco</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Dibujar un obstáculo</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>charca árbol poste húmedo</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Dibujar una línea AB</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>guiado curva dirección</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Dibujar una línea de división</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>cortar dividir interior partes</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Añadir una entrada</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>acceso camino</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Seleccionar y cambiar</translation>
+    </message>
+    <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Enderezar los escalones del contorno</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>píxeles imagen escalera suavizar simplificar</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Renombrar la parcela…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Quitar la parcela</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>eliminar</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Parcela siguiente</translation>
+    </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Todas las parcelas de la explotación</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>lista resumen planificar todas totales</translation>
+    </message>
+</context>
+<context>
     <name>FieldFromTrackPanel</name>
     <message>
         <source>Field from a track</source>
@@ -1406,6 +965,73 @@
     <message>
         <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
         <translation>%1: el plan tiene problemas y no se puede recorrer como está dibujado. Los archivos también lo dicen.</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>explotación</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>límite importar proyecto</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Añadir imágenes…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles foto aérea satélite fondo altura relieve</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Añadir una carpeta de teselas…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imágenes XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Exportar el plan…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Imprimir la orden de trabajo…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>imprimir PDF informe orden de trabajo imagen impresora</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Salir</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +1329,53 @@
     <message>
         <source>Let Furrow search the direction</source>
         <translation>Dejar que Furrow busque la dirección</translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guía</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>ayuda manual documentación cómo</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Hacer la visita guiada</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>ayuda introducción primer inicio</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas y ratón</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>atajos ayuda</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Informar de un problema…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>error fallo soporte</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Acerca de Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>versión licencia créditos</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2180,161 @@
     <message>
         <source>Done</source>
         <translation>Terminada</translation>
+    </message>
+</context>
+<context>
+    <name>PlanCommands</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Añadir un plan…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>campaña operación copia</translation>
+    </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Comparar con otro plan</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>comparar variantes diferencias lado a lado mejor</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Comparar en dos mapas</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>comparar lado a lado mapa dividido dos</translation>
+    </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Comparar con un recorrido grabado…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>recorrido grabado GPX NMEA desviación comparar</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Renombrar el plan…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Quitar el plan</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>eliminar</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planificar de nuevo</translation>
+    </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Buscar el mejor plan…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>más rápido optimizar comparar alternativas</translation>
+    </message>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Cambiar el orden a mano…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>orden pasadas lista arrastrar secuencia</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Recorrer el plan</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Pausar el recorrido</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>recorrer reproducir pausa simular máquina</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Recorrer desde lo seleccionado</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>recorrer aquí pasada giro</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Recorrer más rápido</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>ritmo velocidad</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Recorrer más lento</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Comentar un lugar…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>revisión nota observación lugar</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Comentar todo el plan…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>revisión nota observación</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>contratista compartir archivo aprobar</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Incorporar una revisión recibida…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>unir comentarios contratista</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Aviso siguiente</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>problema comprobar recorrer</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Aviso anterior</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>problema comprobar atrás</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Siguiente aviso del mismo tipo</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Aviso anterior del mismo tipo</translation>
     </message>
 </context>
 <context>
@@ -7929,6 +7757,197 @@
     <message>
         <source>Save</source>
         <translation>Guardar</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>View</source>
+        <translation>Ver</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Lo que muestra el mapa</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Tamaño de la interfaz</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Todo al %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>tamaño escala zoom texto grande</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Seguir la máquina</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>recorrer mapa centro</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Barra de recorrido</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>recorrer reproducir control</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Mostrar toda la parcela</translation>
+    </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Ir a un lugar…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coordenadas latitud longitud mapa</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>ampliar zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>reducir zoom</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imágenes mapa fondo</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Capa: imágenes</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Capa: OpenStreetMap de la red</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>en línea teselas</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Capa: límite de parcela</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Capa: cabecera</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Capa: pasadas</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Capa: giros</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Capa: sentido de marcha</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Capa: números de las pasadas</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Capa: números de orden</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Capa: superficie trabajada</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Capa: trabajado dos veces</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>solape</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Capa: zonas sin trabajar</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>hueco sin cubrir</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Capa: pasos de rueda</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>pasos de rueda tráfico compactación</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Capa: avisos</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Idioma y unidades…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>preferencias ajustes métrico imperial pies acres</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Colores claros</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>tema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Colores oscuros</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>tema noche</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Colores para pleno sol</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>tema contraste</translation>
     </message>
 </context>
 <context>

@@ -29,601 +29,6 @@
     </message>
 </context>
 <context>
-    <name>AppCommands</name>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>Parcelle</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Affichage</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Aide</translation>
-    </message>
-    <message>
-        <source>New project</source>
-        <translation>Nouveau projet</translation>
-    </message>
-    <message>
-        <source>farm</source>
-        <translation>exploitation</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Ouvrir…</translation>
-    </message>
-    <message>
-        <source>boundary import project</source>
-        <translation>limite importer projet</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Enregistrer sous…</translation>
-    </message>
-    <message>
-        <source>Export the plan…</source>
-        <translation>Exporter le plan…</translation>
-    </message>
-    <message>
-        <source>ISOXML USB terminal</source>
-        <translation>ISOXML USB console</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Quitter</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Annuler : %1</translation>
-    </message>
-    <message>
-        <source>Draw a point</source>
-        <translation>Dessiner un point</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Rétablir : %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Supprimer la sélection</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
-        <source>Select the next point</source>
-        <translation>Sélectionner le point suivant</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Espace</translation>
-    </message>
-    <message>
-        <source>Find a command…</source>
-        <translation>Chercher une commande…</translation>
-    </message>
-    <message>
-        <source>Draw a field</source>
-        <translation>Dessiner une parcelle</translation>
-    </message>
-    <message>
-        <source>boundary polygon</source>
-        <translation>limite polygone</translation>
-    </message>
-    <message>
-        <source>Draw a hole</source>
-        <translation>Dessiner une enclave</translation>
-    </message>
-    <message>
-        <source>Draw an obstacle</source>
-        <translation>Dessiner un obstacle</translation>
-    </message>
-    <message>
-        <source>pond tree pole wet</source>
-        <translation>mare arbre poteau humide</translation>
-    </message>
-    <message>
-        <source>Draw an AB line</source>
-        <translation>Dessiner une ligne AB</translation>
-    </message>
-    <message>
-        <source>guidance curve direction</source>
-        <translation>guidage courbe orientation</translation>
-    </message>
-    <message>
-        <source>Add a gate</source>
-        <translation>Ajouter une entrée de parcelle</translation>
-    </message>
-    <message>
-        <source>entry road</source>
-        <translation>accès chemin</translation>
-    </message>
-    <message>
-        <source>Select and change</source>
-        <translation>Sélectionner et modifier</translation>
-    </message>
-    <message>
-        <source>Make the outline&apos;s steps straight</source>
-        <translation>Redresser les marches du contour</translation>
-    </message>
-    <message>
-        <source>pixels image stairs smooth simplify</source>
-        <translation>pixels image escalier lisser simplifier</translation>
-    </message>
-    <message>
-        <source>Rename the field…</source>
-        <translation>Renommer la parcelle…</translation>
-    </message>
-    <message>
-        <source>Remove the field</source>
-        <translation>Retirer la parcelle</translation>
-    </message>
-    <message>
-        <source>delete</source>
-        <translation>supprimer</translation>
-    </message>
-    <message>
-        <source>Next field</source>
-        <translation>Parcelle suivante</translation>
-    </message>
-    <message>
-        <source>Add a plan…</source>
-        <translation>Ajouter un plan…</translation>
-    </message>
-    <message>
-        <source>season operation copy</source>
-        <translation>campagne opération copie</translation>
-    </message>
-    <message>
-        <source>Rename the plan…</source>
-        <translation>Renommer le plan…</translation>
-    </message>
-    <message>
-        <source>Remove the plan</source>
-        <translation>Retirer le plan</translation>
-    </message>
-    <message>
-        <source>Plan again</source>
-        <translation>Planifier à nouveau</translation>
-    </message>
-    <message>
-        <source>Show the whole field</source>
-        <translation>Montrer toute la parcelle</translation>
-    </message>
-    <message>
-        <source>Closer</source>
-        <translation>Zoom avant</translation>
-    </message>
-    <message>
-        <source>zoom in</source>
-        <translation>agrandir zoom</translation>
-    </message>
-    <message>
-        <source>Further away</source>
-        <translation>Zoom arrière</translation>
-    </message>
-    <message>
-        <source>zoom out</source>
-        <translation>réduire zoom</translation>
-    </message>
-    <message>
-        <source>Results panel</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>Layer: boundary</source>
-        <translation>Couche : limite de parcelle</translation>
-    </message>
-    <message>
-        <source>Layer: headland</source>
-        <translation>Couche : fourrière</translation>
-    </message>
-    <message>
-        <source>Layer: swaths</source>
-        <translation>Couche : passages</translation>
-    </message>
-    <message>
-        <source>Layer: turns</source>
-        <translation>Couche : demi-tours</translation>
-    </message>
-    <message>
-        <source>Layer: driving direction</source>
-        <translation>Couche : sens de marche</translation>
-    </message>
-    <message>
-        <source>Layer: order numbers</source>
-        <translation>Couche : numéros d&apos;ordre</translation>
-    </message>
-    <message>
-        <source>Layer: findings</source>
-        <translation>Couche : remarques</translation>
-    </message>
-    <message>
-        <source>Language and units…</source>
-        <translation>Langue et unités…</translation>
-    </message>
-    <message>
-        <source>preferences settings metric imperial feet acres</source>
-        <translation>préférences réglages métrique impérial pieds acres</translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation>Couleurs claires</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>thème</translation>
-    </message>
-    <message>
-        <source>Dark colours</source>
-        <translation>Couleurs sombres</translation>
-    </message>
-    <message>
-        <source>theme night</source>
-        <translation>thème nuit</translation>
-    </message>
-    <message>
-        <source>Sunlight colours</source>
-        <translation>Couleurs plein soleil</translation>
-    </message>
-    <message>
-        <source>theme contrast</source>
-        <translation>thème contraste</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Clavier et souris</translation>
-    </message>
-    <message>
-        <source>shortcuts help</source>
-        <translation>raccourcis aide</translation>
-    </message>
-    <message>
-        <source>Everything at %1 %</source>
-        <translation>Tout à %1 %</translation>
-    </message>
-    <message>
-        <source>size scaling zoom large text</source>
-        <translation>taille échelle zoom grand texte</translation>
-    </message>
-    <message>
-        <source>Add imagery…</source>
-        <translation>Ajouter des images…</translation>
-    </message>
-    <message>
-        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
-        <translation>GeoTIFF MBTiles photo aérienne satellite fond altitude relief</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles…</source>
-        <translation>Ajouter un dossier de tuiles…</translation>
-    </message>
-    <message>
-        <source>imagery XYZ TMS</source>
-        <translation>imagerie XYZ TMS</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Couches</translation>
-    </message>
-    <message>
-        <source>imagery map background</source>
-        <translation>imagerie carte fond</translation>
-    </message>
-    <message>
-        <source>Layer: imagery</source>
-        <translation>Couche : imagerie</translation>
-    </message>
-    <message>
-        <source>Layer: OpenStreetMap from the network</source>
-        <translation>Couche : OpenStreetMap depuis le réseau</translation>
-    </message>
-    <message>
-        <source>online tiles</source>
-        <translation>en ligne tuiles</translation>
-    </message>
-    <message>
-        <source>Layer: coverage</source>
-        <translation>Couche : surface travaillée</translation>
-    </message>
-    <message>
-        <source>Layer: worked twice</source>
-        <translation>Couche : travaillé deux fois</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>recouvrement</translation>
-    </message>
-    <message>
-        <source>Layer: missed</source>
-        <translation>Couche : zones non travaillées</translation>
-    </message>
-    <message>
-        <source>gap uncovered</source>
-        <translation>manque non couvert</translation>
-    </message>
-    <message>
-        <source>Layer: driven over often</source>
-        <translation>Couche : passages de roues</translation>
-    </message>
-    <message>
-        <source>wheel passes traffic compaction</source>
-        <translation>passages de roues trafic tassement</translation>
-    </message>
-    <message>
-        <source>Take the tour</source>
-        <translation>Suivre la visite guidée</translation>
-    </message>
-    <message>
-        <source>help introduction first start</source>
-        <translation>aide introduction premier démarrage</translation>
-    </message>
-    <message>
-        <source>Select the next edge</source>
-        <translation>Sélectionner le côté suivant</translation>
-    </message>
-    <message>
-        <source>Select the next outline, line or gate</source>
-        <translation>Contour, ligne ou entrée suivante</translation>
-    </message>
-    <message>
-        <source>PgDown</source>
-        <translation>Pg suiv</translation>
-    </message>
-    <message>
-        <source>Draw a split line</source>
-        <translation>Dessiner une ligne de partage</translation>
-    </message>
-    <message>
-        <source>cut divide mainland parts</source>
-        <translation>couper diviser plein champ parties</translation>
-    </message>
-    <message>
-        <source>Find the best plan…</source>
-        <translation>Chercher le meilleur plan…</translation>
-    </message>
-    <message>
-        <source>quickest optimise compare alternatives</source>
-        <translation>plus rapide optimiser comparer alternatives</translation>
-    </message>
-    <message>
-        <source>Change the order by hand…</source>
-        <translation>Changer l&apos;ordre à la main…</translation>
-    </message>
-    <message>
-        <source>order swaths list drag sequence</source>
-        <translation>ordre passages liste glisser suite</translation>
-    </message>
-    <message>
-        <source>Print the work order…</source>
-        <translation>Imprimer l&apos;ordre de travail…</translation>
-    </message>
-    <message>
-        <source>print pdf report work order picture printer</source>
-        <translation>imprimer PDF rapport ordre de travail image imprimante</translation>
-    </message>
-    <message>
-        <source>Drive through the plan</source>
-        <translation>Parcourir le plan</translation>
-    </message>
-    <message>
-        <source>Pause the drive</source>
-        <translation>Mettre le parcours en pause</translation>
-    </message>
-    <message>
-        <source>drive play pause simulate machine</source>
-        <translation>parcourir lecture pause simuler machine</translation>
-    </message>
-    <message>
-        <source>Drive from what is selected</source>
-        <translation>Parcourir depuis la sélection</translation>
-    </message>
-    <message>
-        <source>drive play here swath turn</source>
-        <translation>parcourir ici passage demi-tour</translation>
-    </message>
-    <message>
-        <source>Drive faster</source>
-        <translation>Parcourir plus vite</translation>
-    </message>
-    <message>
-        <source>pace speed</source>
-        <translation>rythme vitesse</translation>
-    </message>
-    <message>
-        <source>Drive slower</source>
-        <translation>Parcourir plus lentement</translation>
-    </message>
-    <message>
-        <source>Follow the machine</source>
-        <translation>Suivre la machine</translation>
-    </message>
-    <message>
-        <source>drive camera centre</source>
-        <translation>parcourir carte centre</translation>
-    </message>
-    <message>
-        <source>Drive-through bar</source>
-        <translation>Barre de parcours</translation>
-    </message>
-    <message>
-        <source>drive play slider</source>
-        <translation>parcourir lecture curseur</translation>
-    </message>
-    <message>
-        <source>Comment on a place…</source>
-        <translation>Commenter un endroit…</translation>
-    </message>
-    <message>
-        <source>review note remark pin</source>
-        <translation>relecture note remarque endroit</translation>
-    </message>
-    <message>
-        <source>Comment on the whole plan…</source>
-        <translation>Commenter tout le plan…</translation>
-    </message>
-    <message>
-        <source>review note remark</source>
-        <translation>relecture note remarque</translation>
-    </message>
-    <message>
-        <source>contractor share file approve</source>
-        <translation>entrepreneur partager fichier approuver</translation>
-    </message>
-    <message>
-        <source>Take in a review that came back…</source>
-        <translation>Reprendre une relecture revenue…</translation>
-    </message>
-    <message>
-        <source>merge comments contractor</source>
-        <translation>fusionner commentaires entrepreneur</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Remarque suivante</translation>
-    </message>
-    <message>
-        <source>problem check step through</source>
-        <translation>problème contrôle parcourir</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Remarque précédente</translation>
-    </message>
-    <message>
-        <source>problem check step back</source>
-        <translation>problème contrôle retour</translation>
-    </message>
-    <message>
-        <source>All fields of the farm</source>
-        <translation>Toutes les parcelles de l&apos;exploitation</translation>
-    </message>
-    <message>
-        <source>list overview plan all batch totals</source>
-        <translation>liste aperçu planifier tous totaux</translation>
-    </message>
-    <message>
-        <source>Compare with another plan</source>
-        <translation>Comparer avec un autre plan</translation>
-    </message>
-    <message>
-        <source>compare variants differences side by side better</source>
-        <translation>comparer variantes différences côte à côte meilleur</translation>
-    </message>
-    <message>
-        <source>Compare with a recorded track…</source>
-        <translation>Comparer à un trajet enregistré…</translation>
-    </message>
-    <message>
-        <source>driven recorded GPX NMEA log cross-track error compare</source>
-        <translation>parcouru enregistré GPX NMEA écart comparer</translation>
-    </message>
-    <message>
-        <source>What the map shows</source>
-        <translation>Ce que montre la carte</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Couleurs</translation>
-    </message>
-    <message>
-        <source>Size of everything</source>
-        <translation>Taille de l&apos;affichage</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Étapes</translation>
-    </message>
-    <message>
-        <source>Layer: swath numbers</source>
-        <translation>Couche : numéros des passages</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Guide</translation>
-    </message>
-    <message>
-        <source>help manual how to documentation</source>
-        <translation>aide manuel documentation comment</translation>
-    </message>
-    <message>
-        <source>About Furrow</source>
-        <translation>À propos de Furrow</translation>
-    </message>
-    <message>
-        <source>version licence credits</source>
-        <translation>version licence crédits</translation>
-    </message>
-    <message>
-        <source>Report a problem…</source>
-        <translation>Signaler un problème…</translation>
-    </message>
-    <message>
-        <source>bug crash support error</source>
-        <translation>bogue plantage assistance erreur</translation>
-    </message>
-    <message>
-        <source>Make a field from a recorded track…</source>
-        <translation>Faire une parcelle d&apos;un trajet enregistré…</translation>
-    </message>
-    <message>
-        <source>boundary driven recorded GPX NMEA log drive around</source>
-        <translation>limite roulé enregistré GPX NMEA contour</translation>
-    </message>
-    <message>
-        <source>Compare on two maps</source>
-        <translation>Comparer sur deux cartes</translation>
-    </message>
-    <message>
-        <source>compare side by side split map</source>
-        <translation>comparer côte à côte carte partagée deux</translation>
-    </message>
-    <message>
-        <source>Next finding of the same kind</source>
-        <translation>Remarque suivante du même genre</translation>
-    </message>
-    <message>
-        <source>Previous finding of the same kind</source>
-        <translation>Remarque précédente du même genre</translation>
-    </message>
-    <message>
-        <source>Go to a place…</source>
-        <translation>Aller à un endroit…</translation>
-    </message>
-    <message>
-        <source>coordinates latitude longitude map</source>
-        <translation>coordonnées latitude longitude carte</translation>
-    </message>
-</context>
-<context>
     <name>BestPlanDialog</name>
     <message>
         <source>The best plan found</source>
@@ -997,6 +402,65 @@
     </message>
 </context>
 <context>
+    <name>EditCommands</name>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Annuler : %1</translation>
+    </message>
+    <message>
+        <source>Draw a point</source>
+        <translation>Dessiner un point</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rétablir : %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Supprimer la sélection</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Sélectionner le point suivant</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Select the next edge</source>
+        <translation>Sélectionner le côté suivant</translation>
+    </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Contour, ligne ou entrée suivante</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Pg suiv</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Chercher une commande…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -1348,6 +812,101 @@
     </message>
 </context>
 <context>
+    <name>FieldCommands</name>
+    <message>
+        <source>Field</source>
+        <translation>Parcelle</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Dessiner une parcelle</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>limite polygone</translation>
+    </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Faire une parcelle d&apos;un trajet enregistré…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>limite roulé enregistré GPX NMEA contour</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Dessiner une enclave</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Dessiner un obstacle</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>mare arbre poteau humide</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Dessiner une ligne AB</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>guidage courbe orientation</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Dessiner une ligne de partage</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>couper diviser plein champ parties</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Ajouter une entrée de parcelle</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>accès chemin</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Sélectionner et modifier</translation>
+    </message>
+    <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Redresser les marches du contour</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>pixels image escalier lisser simplifier</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Renommer la parcelle…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Retirer la parcelle</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>supprimer</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Parcelle suivante</translation>
+    </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Toutes les parcelles de l&apos;exploitation</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>liste aperçu planifier tous totaux</translation>
+    </message>
+</context>
+<context>
     <name>FieldFromTrackPanel</name>
     <message>
         <source>Field from a track</source>
@@ -1406,6 +965,73 @@
     <message>
         <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
         <translation>%1 : le plan a des problèmes et ne peut être parcouru tel qu’il est tracé. Les fichiers le disent aussi.</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>exploitation</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>limite importer projet</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Ajouter des images…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles photo aérienne satellite fond altitude relief</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Ajouter un dossier de tuiles…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imagerie XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Exporter le plan…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB console</translation>
+    </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Imprimer l&apos;ordre de travail…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>imprimer PDF rapport ordre de travail image imprimante</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +1329,53 @@
     <message>
         <source>Let Furrow search the direction</source>
         <translation>Laisser Furrow chercher l&apos;orientation</translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guide</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>aide manuel documentation comment</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Suivre la visite guidée</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>aide introduction premier démarrage</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Clavier et souris</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>raccourcis aide</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Signaler un problème…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>bogue plantage assistance erreur</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>À propos de Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>version licence crédits</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2180,161 @@
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>PlanCommands</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Ajouter un plan…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>campagne opération copie</translation>
+    </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Comparer avec un autre plan</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>comparer variantes différences côte à côte meilleur</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Comparer sur deux cartes</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>comparer côte à côte carte partagée deux</translation>
+    </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Comparer à un trajet enregistré…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>parcouru enregistré GPX NMEA écart comparer</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Renommer le plan…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Retirer le plan</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>supprimer</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planifier à nouveau</translation>
+    </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Chercher le meilleur plan…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>plus rapide optimiser comparer alternatives</translation>
+    </message>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Changer l&apos;ordre à la main…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>ordre passages liste glisser suite</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Parcourir le plan</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Mettre le parcours en pause</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>parcourir lecture pause simuler machine</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Parcourir depuis la sélection</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>parcourir ici passage demi-tour</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Parcourir plus vite</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>rythme vitesse</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Parcourir plus lentement</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Commenter un endroit…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>relecture note remarque endroit</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Commenter tout le plan…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>relecture note remarque</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>entrepreneur partager fichier approuver</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Reprendre une relecture revenue…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>fusionner commentaires entrepreneur</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Remarque suivante</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>problème contrôle parcourir</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Remarque précédente</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>problème contrôle retour</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Remarque suivante du même genre</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Remarque précédente du même genre</translation>
     </message>
 </context>
 <context>
@@ -7929,6 +7757,197 @@
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Ce que montre la carte</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Taille de l&apos;affichage</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tout à %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>taille échelle zoom grand texte</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Suivre la machine</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>parcourir carte centre</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Barre de parcours</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>parcourir lecture curseur</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Montrer toute la parcelle</translation>
+    </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Aller à un endroit…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coordonnées latitude longitude carte</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Zoom avant</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>agrandir zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Zoom arrière</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>réduire zoom</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imagerie carte fond</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Couche : imagerie</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Couche : OpenStreetMap depuis le réseau</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>en ligne tuiles</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Couche : limite de parcelle</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Couche : fourrière</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Couche : passages</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Couche : demi-tours</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Couche : sens de marche</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Couche : numéros des passages</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Couche : numéros d&apos;ordre</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Couche : surface travaillée</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Couche : travaillé deux fois</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Couche : zones non travaillées</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>manque non couvert</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Couche : passages de roues</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>passages de roues trafic tassement</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Couche : remarques</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Langue et unités…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>préférences réglages métrique impérial pieds acres</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Couleurs claires</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>thème</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Couleurs sombres</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>thème nuit</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Couleurs plein soleil</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>thème contraste</translation>
     </message>
 </context>
 <context>

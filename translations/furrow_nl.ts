@@ -29,601 +29,6 @@
     </message>
 </context>
 <context>
-    <name>AppCommands</name>
-    <message>
-        <source>File</source>
-        <translation>Bestand</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bewerken</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>Perceel</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Beeld</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Help</translation>
-    </message>
-    <message>
-        <source>New project</source>
-        <translation>Nieuw project</translation>
-    </message>
-    <message>
-        <source>farm</source>
-        <translation>bedrijf</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Openen…</translation>
-    </message>
-    <message>
-        <source>boundary import project</source>
-        <translation>perceelsgrens importeren project</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Opslaan</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Opslaan als…</translation>
-    </message>
-    <message>
-        <source>Export the plan…</source>
-        <translation>Plan exporteren…</translation>
-    </message>
-    <message>
-        <source>ISOXML USB terminal</source>
-        <translation>ISOXML USB terminal</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Afsluiten</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Ongedaan maken: %1</translation>
-    </message>
-    <message>
-        <source>Draw a point</source>
-        <translation>Punt tekenen</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Ongedaan maken</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Opnieuw: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Opnieuw</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Selectie verwijderen</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Del</translation>
-    </message>
-    <message>
-        <source>Select the next point</source>
-        <translation>Volgend punt selecteren</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Spatie</translation>
-    </message>
-    <message>
-        <source>Find a command…</source>
-        <translation>Opdracht zoeken…</translation>
-    </message>
-    <message>
-        <source>Draw a field</source>
-        <translation>Perceel tekenen</translation>
-    </message>
-    <message>
-        <source>boundary polygon</source>
-        <translation>perceelsgrens polygoon</translation>
-    </message>
-    <message>
-        <source>Draw a hole</source>
-        <translation>Gat tekenen</translation>
-    </message>
-    <message>
-        <source>Draw an obstacle</source>
-        <translation>Obstakel tekenen</translation>
-    </message>
-    <message>
-        <source>pond tree pole wet</source>
-        <translation>vijver boom mast nat</translation>
-    </message>
-    <message>
-        <source>Draw an AB line</source>
-        <translation>AB-lijn tekenen</translation>
-    </message>
-    <message>
-        <source>guidance curve direction</source>
-        <translation>stuurlijn curve richting</translation>
-    </message>
-    <message>
-        <source>Add a gate</source>
-        <translation>Inrit toevoegen</translation>
-    </message>
-    <message>
-        <source>entry road</source>
-        <translation>toegang weg</translation>
-    </message>
-    <message>
-        <source>Select and change</source>
-        <translation>Selecteren en wijzigen</translation>
-    </message>
-    <message>
-        <source>Make the outline&apos;s steps straight</source>
-        <translation>Trapjes in de omtrek recht maken</translation>
-    </message>
-    <message>
-        <source>pixels image stairs smooth simplify</source>
-        <translation>pixels beeld trap gladmaken vereenvoudigen</translation>
-    </message>
-    <message>
-        <source>Rename the field…</source>
-        <translation>Perceel hernoemen…</translation>
-    </message>
-    <message>
-        <source>Remove the field</source>
-        <translation>Perceel verwijderen</translation>
-    </message>
-    <message>
-        <source>delete</source>
-        <translation>wissen</translation>
-    </message>
-    <message>
-        <source>Next field</source>
-        <translation>Volgend perceel</translation>
-    </message>
-    <message>
-        <source>Add a plan…</source>
-        <translation>Plan toevoegen…</translation>
-    </message>
-    <message>
-        <source>season operation copy</source>
-        <translation>seizoen bewerking kopie</translation>
-    </message>
-    <message>
-        <source>Rename the plan…</source>
-        <translation>Plan hernoemen…</translation>
-    </message>
-    <message>
-        <source>Remove the plan</source>
-        <translation>Plan verwijderen</translation>
-    </message>
-    <message>
-        <source>Plan again</source>
-        <translation>Opnieuw plannen</translation>
-    </message>
-    <message>
-        <source>Show the whole field</source>
-        <translation>Heel perceel tonen</translation>
-    </message>
-    <message>
-        <source>Closer</source>
-        <translation>Inzoomen</translation>
-    </message>
-    <message>
-        <source>zoom in</source>
-        <translation>vergroten zoom</translation>
-    </message>
-    <message>
-        <source>Further away</source>
-        <translation>Uitzoomen</translation>
-    </message>
-    <message>
-        <source>zoom out</source>
-        <translation>verkleinen zoom</translation>
-    </message>
-    <message>
-        <source>Results panel</source>
-        <translation>Resultaten</translation>
-    </message>
-    <message>
-        <source>Layer: boundary</source>
-        <translation>Laag: perceelsgrens</translation>
-    </message>
-    <message>
-        <source>Layer: headland</source>
-        <translation>Laag: kopakker</translation>
-    </message>
-    <message>
-        <source>Layer: swaths</source>
-        <translation>Laag: werkgangen</translation>
-    </message>
-    <message>
-        <source>Layer: turns</source>
-        <translation>Laag: draaien</translation>
-    </message>
-    <message>
-        <source>Layer: driving direction</source>
-        <translation>Laag: rijrichting</translation>
-    </message>
-    <message>
-        <source>Layer: order numbers</source>
-        <translation>Laag: volgnummers</translation>
-    </message>
-    <message>
-        <source>Layer: findings</source>
-        <translation>Laag: bevindingen</translation>
-    </message>
-    <message>
-        <source>Language and units…</source>
-        <translation>Taal en eenheden…</translation>
-    </message>
-    <message>
-        <source>preferences settings metric imperial feet acres</source>
-        <translation>voorkeuren instellingen metrisch imperiaal voet acre</translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation>Lichte kleuren</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>thema</translation>
-    </message>
-    <message>
-        <source>Dark colours</source>
-        <translation>Donkere kleuren</translation>
-    </message>
-    <message>
-        <source>theme night</source>
-        <translation>thema nacht</translation>
-    </message>
-    <message>
-        <source>Sunlight colours</source>
-        <translation>Kleuren voor zonlicht</translation>
-    </message>
-    <message>
-        <source>theme contrast</source>
-        <translation>thema contrast</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Toetsen en muis</translation>
-    </message>
-    <message>
-        <source>shortcuts help</source>
-        <translation>sneltoetsen hulp</translation>
-    </message>
-    <message>
-        <source>Everything at %1 %</source>
-        <translation>Weergave op %1 %</translation>
-    </message>
-    <message>
-        <source>size scaling zoom large text</source>
-        <translation>grootte schaal zoom grote tekst</translation>
-    </message>
-    <message>
-        <source>Add imagery…</source>
-        <translation>Luchtfoto toevoegen…</translation>
-    </message>
-    <message>
-        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
-        <translation>GeoTIFF MBTiles luchtfoto satelliet achtergrond hoogte reliëf</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles…</source>
-        <translation>Map met tegels toevoegen…</translation>
-    </message>
-    <message>
-        <source>imagery XYZ TMS</source>
-        <translation>luchtfoto XYZ TMS</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Lagen</translation>
-    </message>
-    <message>
-        <source>imagery map background</source>
-        <translation>luchtfoto kaart achtergrond</translation>
-    </message>
-    <message>
-        <source>Layer: imagery</source>
-        <translation>Laag: luchtfoto</translation>
-    </message>
-    <message>
-        <source>Layer: OpenStreetMap from the network</source>
-        <translation>Laag: OpenStreetMap van internet</translation>
-    </message>
-    <message>
-        <source>online tiles</source>
-        <translation>online tegels</translation>
-    </message>
-    <message>
-        <source>Layer: coverage</source>
-        <translation>Laag: bewerkt oppervlak</translation>
-    </message>
-    <message>
-        <source>Layer: worked twice</source>
-        <translation>Laag: dubbel bewerkt</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>overlap</translation>
-    </message>
-    <message>
-        <source>Layer: missed</source>
-        <translation>Laag: gemiste plekken</translation>
-    </message>
-    <message>
-        <source>gap uncovered</source>
-        <translation>gat onbewerkt</translation>
-    </message>
-    <message>
-        <source>Layer: driven over often</source>
-        <translation>Laag: vaak bereden</translation>
-    </message>
-    <message>
-        <source>wheel passes traffic compaction</source>
-        <translation>wielsporen berijding verdichting</translation>
-    </message>
-    <message>
-        <source>Take the tour</source>
-        <translation>Rondleiding starten</translation>
-    </message>
-    <message>
-        <source>help introduction first start</source>
-        <translation>help introductie eerste start</translation>
-    </message>
-    <message>
-        <source>Select the next edge</source>
-        <translation>Volgende zijde selecteren</translation>
-    </message>
-    <message>
-        <source>Select the next outline, line or gate</source>
-        <translation>Volgende omtrek, lijn of inrit selecteren</translation>
-    </message>
-    <message>
-        <source>PgDown</source>
-        <translation>PgDn</translation>
-    </message>
-    <message>
-        <source>Draw a split line</source>
-        <translation>Splitlijn tekenen</translation>
-    </message>
-    <message>
-        <source>cut divide mainland parts</source>
-        <translation>snijden delen binnenakker stukken</translation>
-    </message>
-    <message>
-        <source>Find the best plan…</source>
-        <translation>Beste plan zoeken…</translation>
-    </message>
-    <message>
-        <source>quickest optimise compare alternatives</source>
-        <translation>snelste optimaliseren vergelijken alternatieven</translation>
-    </message>
-    <message>
-        <source>Change the order by hand…</source>
-        <translation>Volgorde met de hand wijzigen…</translation>
-    </message>
-    <message>
-        <source>order swaths list drag sequence</source>
-        <translation>volgorde werkgangen lijst slepen</translation>
-    </message>
-    <message>
-        <source>Print the work order…</source>
-        <translation>Werkopdracht afdrukken…</translation>
-    </message>
-    <message>
-        <source>print pdf report work order picture printer</source>
-        <translation>afdrukken PDF rapport werkopdracht afbeelding printer</translation>
-    </message>
-    <message>
-        <source>Drive through the plan</source>
-        <translation>Plan afrijden</translation>
-    </message>
-    <message>
-        <source>Pause the drive</source>
-        <translation>Rit pauzeren</translation>
-    </message>
-    <message>
-        <source>drive play pause simulate machine</source>
-        <translation>rijden afspelen pauze simuleren machine</translation>
-    </message>
-    <message>
-        <source>Drive from what is selected</source>
-        <translation>Rijden vanaf de selectie</translation>
-    </message>
-    <message>
-        <source>drive play here swath turn</source>
-        <translation>rijden afspelen hier werkgang draai keren</translation>
-    </message>
-    <message>
-        <source>Drive faster</source>
-        <translation>Sneller rijden</translation>
-    </message>
-    <message>
-        <source>pace speed</source>
-        <translation>tempo snelheid</translation>
-    </message>
-    <message>
-        <source>Drive slower</source>
-        <translation>Langzamer rijden</translation>
-    </message>
-    <message>
-        <source>Follow the machine</source>
-        <translation>De machine volgen</translation>
-    </message>
-    <message>
-        <source>drive camera centre</source>
-        <translation>rijden kaart midden</translation>
-    </message>
-    <message>
-        <source>Drive-through bar</source>
-        <translation>Balk om af te rijden</translation>
-    </message>
-    <message>
-        <source>drive play slider</source>
-        <translation>rijden afspelen schuif</translation>
-    </message>
-    <message>
-        <source>Comment on a place…</source>
-        <translation>Opmerking bij een plek…</translation>
-    </message>
-    <message>
-        <source>review note remark pin</source>
-        <translation>beoordeling notitie opmerking plek</translation>
-    </message>
-    <message>
-        <source>Comment on the whole plan…</source>
-        <translation>Opmerking bij het hele plan…</translation>
-    </message>
-    <message>
-        <source>review note remark</source>
-        <translation>beoordeling notitie opmerking</translation>
-    </message>
-    <message>
-        <source>contractor share file approve</source>
-        <translation>loonwerker delen bestand goedkeuren</translation>
-    </message>
-    <message>
-        <source>Take in a review that came back…</source>
-        <translation>Teruggekomen beoordeling overnemen…</translation>
-    </message>
-    <message>
-        <source>merge comments contractor</source>
-        <translation>samenvoegen opmerkingen loonwerker</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Volgende bevinding</translation>
-    </message>
-    <message>
-        <source>problem check step through</source>
-        <translation>probleem controle doorlopen</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Vorige bevinding</translation>
-    </message>
-    <message>
-        <source>problem check step back</source>
-        <translation>probleem controle terug</translation>
-    </message>
-    <message>
-        <source>All fields of the farm</source>
-        <translation>Alle percelen van het bedrijf</translation>
-    </message>
-    <message>
-        <source>list overview plan all batch totals</source>
-        <translation>lijst overzicht alles plannen totalen</translation>
-    </message>
-    <message>
-        <source>Compare with another plan</source>
-        <translation>Met een ander plan vergelijken</translation>
-    </message>
-    <message>
-        <source>compare variants differences side by side better</source>
-        <translation>vergelijken varianten verschillen naast elkaar beter</translation>
-    </message>
-    <message>
-        <source>Compare with a recorded track…</source>
-        <translation>Met een opgenomen rit vergelijken…</translation>
-    </message>
-    <message>
-        <source>driven recorded GPX NMEA log cross-track error compare</source>
-        <translation>gereden opgenomen GPX NMEA afwijking vergelijken</translation>
-    </message>
-    <message>
-        <source>What the map shows</source>
-        <translation>Wat de kaart toont</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Kleuren</translation>
-    </message>
-    <message>
-        <source>Size of everything</source>
-        <translation>Grootte van de weergave</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Stappen</translation>
-    </message>
-    <message>
-        <source>Layer: swath numbers</source>
-        <translation>Laag: werkgangnummers</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Handleiding</translation>
-    </message>
-    <message>
-        <source>help manual how to documentation</source>
-        <translation>hulp handleiding documentatie hoe</translation>
-    </message>
-    <message>
-        <source>About Furrow</source>
-        <translation>Over Furrow</translation>
-    </message>
-    <message>
-        <source>version licence credits</source>
-        <translation>versie licentie dankwoord</translation>
-    </message>
-    <message>
-        <source>Report a problem…</source>
-        <translation>Een probleem melden…</translation>
-    </message>
-    <message>
-        <source>bug crash support error</source>
-        <translation>fout crash ondersteuning</translation>
-    </message>
-    <message>
-        <source>Make a field from a recorded track…</source>
-        <translation>Perceel maken uit een opgenomen rit…</translation>
-    </message>
-    <message>
-        <source>boundary driven recorded GPX NMEA log drive around</source>
-        <translation>perceelsgrens gereden opgenomen GPX NMEA omrijden</translation>
-    </message>
-    <message>
-        <source>Compare on two maps</source>
-        <translation>Op twee kaarten vergelijken</translation>
-    </message>
-    <message>
-        <source>compare side by side split map</source>
-        <translation>vergelijken naast elkaar gedeelde kaart twee</translation>
-    </message>
-    <message>
-        <source>Next finding of the same kind</source>
-        <translation>Volgende bevinding van dezelfde soort</translation>
-    </message>
-    <message>
-        <source>Previous finding of the same kind</source>
-        <translation>Vorige bevinding van dezelfde soort</translation>
-    </message>
-    <message>
-        <source>Go to a place…</source>
-        <translation>Naar een plaats gaan…</translation>
-    </message>
-    <message>
-        <source>coordinates latitude longitude map</source>
-        <translation>coördinaten breedtegraad lengtegraad kaart</translation>
-    </message>
-</context>
-<context>
     <name>BestPlanDialog</name>
     <message>
         <source>The best plan found</source>
@@ -997,6 +402,65 @@
     </message>
 </context>
 <context>
+    <name>EditCommands</name>
+    <message>
+        <source>Edit</source>
+        <translation>Bewerken</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Ongedaan maken: %1</translation>
+    </message>
+    <message>
+        <source>Draw a point</source>
+        <translation>Punt tekenen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Opnieuw: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Opnieuw</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Selectie verwijderen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Volgend punt selecteren</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spatie</translation>
+    </message>
+    <message>
+        <source>Select the next edge</source>
+        <translation>Volgende zijde selecteren</translation>
+    </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Volgende omtrek, lijn of inrit selecteren</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Opdracht zoeken…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -1348,6 +812,101 @@
     </message>
 </context>
 <context>
+    <name>FieldCommands</name>
+    <message>
+        <source>Field</source>
+        <translation>Perceel</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Perceel tekenen</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>perceelsgrens polygoon</translation>
+    </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Perceel maken uit een opgenomen rit…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>perceelsgrens gereden opgenomen GPX NMEA omrijden</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Gat tekenen</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Obstakel tekenen</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>vijver boom mast nat</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>AB-lijn tekenen</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>stuurlijn curve richting</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Splitlijn tekenen</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>snijden delen binnenakker stukken</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Inrit toevoegen</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>toegang weg</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Selecteren en wijzigen</translation>
+    </message>
+    <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Trapjes in de omtrek recht maken</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>pixels beeld trap gladmaken vereenvoudigen</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Perceel hernoemen…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Perceel verwijderen</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>wissen</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Volgend perceel</translation>
+    </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Alle percelen van het bedrijf</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>lijst overzicht alles plannen totalen</translation>
+    </message>
+</context>
+<context>
     <name>FieldFromTrackPanel</name>
     <message>
         <source>Field from a track</source>
@@ -1406,6 +965,73 @@
     <message>
         <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
         <translation>%1: het plan heeft problemen en is niet te rijden zoals getekend. De bestanden zeggen dat ook.</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nieuw project</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>bedrijf</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Openen…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>perceelsgrens importeren project</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Luchtfoto toevoegen…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles luchtfoto satelliet achtergrond hoogte reliëf</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Map met tegels toevoegen…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>luchtfoto XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Opslaan als…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Plan exporteren…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Werkopdracht afdrukken…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>afdrukken PDF rapport werkopdracht afbeelding printer</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Afsluiten</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +1329,53 @@
     <message>
         <source>Let Furrow search the direction</source>
         <translation>Furrow de richting laten zoeken</translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>Help</source>
+        <translation>Help</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handleiding</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>hulp handleiding documentatie hoe</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rondleiding starten</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>help introductie eerste start</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Toetsen en muis</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>sneltoetsen hulp</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Een probleem melden…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>fout crash ondersteuning</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Over Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>versie licentie dankwoord</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2180,161 @@
     <message>
         <source>Done</source>
         <translation>Klaar</translation>
+    </message>
+</context>
+<context>
+    <name>PlanCommands</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Plan toevoegen…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>seizoen bewerking kopie</translation>
+    </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Met een ander plan vergelijken</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>vergelijken varianten verschillen naast elkaar beter</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Op twee kaarten vergelijken</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>vergelijken naast elkaar gedeelde kaart twee</translation>
+    </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Met een opgenomen rit vergelijken…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>gereden opgenomen GPX NMEA afwijking vergelijken</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Plan hernoemen…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Plan verwijderen</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>wissen</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Opnieuw plannen</translation>
+    </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Beste plan zoeken…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>snelste optimaliseren vergelijken alternatieven</translation>
+    </message>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Volgorde met de hand wijzigen…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>volgorde werkgangen lijst slepen</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Plan afrijden</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Rit pauzeren</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>rijden afspelen pauze simuleren machine</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Rijden vanaf de selectie</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>rijden afspelen hier werkgang draai keren</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Sneller rijden</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>tempo snelheid</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Langzamer rijden</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Opmerking bij een plek…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>beoordeling notitie opmerking plek</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Opmerking bij het hele plan…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>beoordeling notitie opmerking</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>loonwerker delen bestand goedkeuren</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Teruggekomen beoordeling overnemen…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>samenvoegen opmerkingen loonwerker</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Volgende bevinding</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>probleem controle doorlopen</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Vorige bevinding</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>probleem controle terug</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Volgende bevinding van dezelfde soort</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Vorige bevinding van dezelfde soort</translation>
     </message>
 </context>
 <context>
@@ -7929,6 +7757,197 @@
     <message>
         <source>Save</source>
         <translation>Opslaan</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>View</source>
+        <translation>Beeld</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>Wat de kaart toont</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Kleuren</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Grootte van de weergave</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Weergave op %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>grootte schaal zoom grote tekst</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>De machine volgen</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>rijden kaart midden</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Balk om af te rijden</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>rijden afspelen schuif</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Heel perceel tonen</translation>
+    </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Naar een plaats gaan…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coördinaten breedtegraad lengtegraad kaart</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Inzoomen</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>vergroten zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Uitzoomen</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>verkleinen zoom</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stappen</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Resultaten</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>luchtfoto kaart achtergrond</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Laag: luchtfoto</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Laag: OpenStreetMap van internet</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>online tegels</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Laag: perceelsgrens</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Laag: kopakker</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Laag: werkgangen</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Laag: draaien</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Laag: rijrichting</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Laag: werkgangnummers</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Laag: volgnummers</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Laag: bewerkt oppervlak</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Laag: dubbel bewerkt</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>overlap</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Laag: gemiste plekken</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>gat onbewerkt</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Laag: vaak bereden</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>wielsporen berijding verdichting</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Laag: bevindingen</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Taal en eenheden…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>voorkeuren instellingen metrisch imperiaal voet acre</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Lichte kleuren</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>thema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Donkere kleuren</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>thema nacht</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Kleuren voor zonlicht</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>thema contrast</translation>
     </message>
 </context>
 <context>

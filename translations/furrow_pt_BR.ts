@@ -29,601 +29,6 @@
     </message>
 </context>
 <context>
-    <name>AppCommands</name>
-    <message>
-        <source>File</source>
-        <translation>Arquivo</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Editar</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>Talhão</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plano</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Exibir</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Ajuda</translation>
-    </message>
-    <message>
-        <source>New project</source>
-        <translation>Novo projeto</translation>
-    </message>
-    <message>
-        <source>farm</source>
-        <translation>fazenda propriedade</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Abrir…</translation>
-    </message>
-    <message>
-        <source>boundary import project</source>
-        <translation>limite importar projeto</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Salvar</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Salvar como…</translation>
-    </message>
-    <message>
-        <source>Export the plan…</source>
-        <translation>Exportar o plano…</translation>
-    </message>
-    <message>
-        <source>ISOXML USB terminal</source>
-        <translation>ISOXML USB terminal</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Sair</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Desfazer: %1</translation>
-    </message>
-    <message>
-        <source>Draw a point</source>
-        <translation>Desenhar um ponto</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Desfazer</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Refazer: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Refazer</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Excluir a seleção</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Del</translation>
-    </message>
-    <message>
-        <source>Select the next point</source>
-        <translation>Selecionar o próximo ponto</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Espaço</translation>
-    </message>
-    <message>
-        <source>Find a command…</source>
-        <translation>Buscar um comando…</translation>
-    </message>
-    <message>
-        <source>Draw a field</source>
-        <translation>Desenhar um talhão</translation>
-    </message>
-    <message>
-        <source>boundary polygon</source>
-        <translation>limite polígono</translation>
-    </message>
-    <message>
-        <source>Draw a hole</source>
-        <translation>Desenhar um vazio</translation>
-    </message>
-    <message>
-        <source>Draw an obstacle</source>
-        <translation>Desenhar um obstáculo</translation>
-    </message>
-    <message>
-        <source>pond tree pole wet</source>
-        <translation>lagoa árvore poste úmido</translation>
-    </message>
-    <message>
-        <source>Draw an AB line</source>
-        <translation>Desenhar uma linha AB</translation>
-    </message>
-    <message>
-        <source>guidance curve direction</source>
-        <translation>orientação curva direção</translation>
-    </message>
-    <message>
-        <source>Add a gate</source>
-        <translation>Adicionar uma entrada</translation>
-    </message>
-    <message>
-        <source>entry road</source>
-        <translation>acesso estrada</translation>
-    </message>
-    <message>
-        <source>Select and change</source>
-        <translation>Selecionar e alterar</translation>
-    </message>
-    <message>
-        <source>Make the outline&apos;s steps straight</source>
-        <translation>Endireitar os degraus do contorno</translation>
-    </message>
-    <message>
-        <source>pixels image stairs smooth simplify</source>
-        <translation>pixels imagem escada suavizar simplificar</translation>
-    </message>
-    <message>
-        <source>Rename the field…</source>
-        <translation>Renomear o talhão…</translation>
-    </message>
-    <message>
-        <source>Remove the field</source>
-        <translation>Remover o talhão</translation>
-    </message>
-    <message>
-        <source>delete</source>
-        <translation>excluir</translation>
-    </message>
-    <message>
-        <source>Next field</source>
-        <translation>Próximo talhão</translation>
-    </message>
-    <message>
-        <source>Add a plan…</source>
-        <translation>Adicionar um plano…</translation>
-    </message>
-    <message>
-        <source>season operation copy</source>
-        <translation>safra operação cópia</translation>
-    </message>
-    <message>
-        <source>Rename the plan…</source>
-        <translation>Renomear o plano…</translation>
-    </message>
-    <message>
-        <source>Remove the plan</source>
-        <translation>Remover o plano</translation>
-    </message>
-    <message>
-        <source>Plan again</source>
-        <translation>Planejar de novo</translation>
-    </message>
-    <message>
-        <source>Show the whole field</source>
-        <translation>Mostrar todo o talhão</translation>
-    </message>
-    <message>
-        <source>Closer</source>
-        <translation>Aproximar</translation>
-    </message>
-    <message>
-        <source>zoom in</source>
-        <translation>ampliar zoom</translation>
-    </message>
-    <message>
-        <source>Further away</source>
-        <translation>Afastar</translation>
-    </message>
-    <message>
-        <source>zoom out</source>
-        <translation>reduzir zoom</translation>
-    </message>
-    <message>
-        <source>Results panel</source>
-        <translation>Resultados</translation>
-    </message>
-    <message>
-        <source>Layer: boundary</source>
-        <translation>Camada: limite do talhão</translation>
-    </message>
-    <message>
-        <source>Layer: headland</source>
-        <translation>Camada: cabeceira</translation>
-    </message>
-    <message>
-        <source>Layer: swaths</source>
-        <translation>Camada: passadas</translation>
-    </message>
-    <message>
-        <source>Layer: turns</source>
-        <translation>Camada: manobras</translation>
-    </message>
-    <message>
-        <source>Layer: driving direction</source>
-        <translation>Camada: sentido de marcha</translation>
-    </message>
-    <message>
-        <source>Layer: order numbers</source>
-        <translation>Camada: números de ordem</translation>
-    </message>
-    <message>
-        <source>Layer: findings</source>
-        <translation>Camada: avisos</translation>
-    </message>
-    <message>
-        <source>Language and units…</source>
-        <translation>Idioma e unidades…</translation>
-    </message>
-    <message>
-        <source>preferences settings metric imperial feet acres</source>
-        <translation>preferências configurações métrico imperial pés acres</translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation>Cores claras</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>tema</translation>
-    </message>
-    <message>
-        <source>Dark colours</source>
-        <translation>Cores escuras</translation>
-    </message>
-    <message>
-        <source>theme night</source>
-        <translation>tema noite</translation>
-    </message>
-    <message>
-        <source>Sunlight colours</source>
-        <translation>Cores para pleno sol</translation>
-    </message>
-    <message>
-        <source>theme contrast</source>
-        <translation>tema contraste</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Teclas e mouse</translation>
-    </message>
-    <message>
-        <source>shortcuts help</source>
-        <translation>atalhos ajuda</translation>
-    </message>
-    <message>
-        <source>Everything at %1 %</source>
-        <translation>Tudo em %1 %</translation>
-    </message>
-    <message>
-        <source>size scaling zoom large text</source>
-        <translation>tamanho escala zoom texto grande</translation>
-    </message>
-    <message>
-        <source>Add imagery…</source>
-        <translation>Adicionar imagens…</translation>
-    </message>
-    <message>
-        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
-        <translation>GeoTIFF MBTiles foto aérea satélite fundo altitude relevo</translation>
-    </message>
-    <message>
-        <source>Add a folder of tiles…</source>
-        <translation>Adicionar uma pasta de blocos…</translation>
-    </message>
-    <message>
-        <source>imagery XYZ TMS</source>
-        <translation>imagens XYZ TMS</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Camadas</translation>
-    </message>
-    <message>
-        <source>imagery map background</source>
-        <translation>imagens mapa fundo</translation>
-    </message>
-    <message>
-        <source>Layer: imagery</source>
-        <translation>Camada: imagens</translation>
-    </message>
-    <message>
-        <source>Layer: OpenStreetMap from the network</source>
-        <translation>Camada: OpenStreetMap da rede</translation>
-    </message>
-    <message>
-        <source>online tiles</source>
-        <translation>on-line blocos</translation>
-    </message>
-    <message>
-        <source>Layer: coverage</source>
-        <translation>Camada: área trabalhada</translation>
-    </message>
-    <message>
-        <source>Layer: worked twice</source>
-        <translation>Camada: trabalhado duas vezes</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>sobreposição</translation>
-    </message>
-    <message>
-        <source>Layer: missed</source>
-        <translation>Camada: falhas</translation>
-    </message>
-    <message>
-        <source>gap uncovered</source>
-        <translation>lacuna não coberta</translation>
-    </message>
-    <message>
-        <source>Layer: driven over often</source>
-        <translation>Camada: passagens de roda</translation>
-    </message>
-    <message>
-        <source>wheel passes traffic compaction</source>
-        <translation>passagens de roda tráfego compactação</translation>
-    </message>
-    <message>
-        <source>Take the tour</source>
-        <translation>Fazer a visita guiada</translation>
-    </message>
-    <message>
-        <source>help introduction first start</source>
-        <translation>ajuda introdução primeiro início</translation>
-    </message>
-    <message>
-        <source>Select the next edge</source>
-        <translation>Selecionar o próximo lado</translation>
-    </message>
-    <message>
-        <source>Select the next outline, line or gate</source>
-        <translation>Próximo contorno, linha ou entrada</translation>
-    </message>
-    <message>
-        <source>PgDown</source>
-        <translation>PgDn</translation>
-    </message>
-    <message>
-        <source>Draw a split line</source>
-        <translation>Desenhar uma linha de divisão</translation>
-    </message>
-    <message>
-        <source>cut divide mainland parts</source>
-        <translation>cortar dividir interior partes</translation>
-    </message>
-    <message>
-        <source>Find the best plan…</source>
-        <translation>Buscar o melhor plano…</translation>
-    </message>
-    <message>
-        <source>quickest optimise compare alternatives</source>
-        <translation>mais rápido otimizar comparar alternativas</translation>
-    </message>
-    <message>
-        <source>Change the order by hand…</source>
-        <translation>Mudar a ordem à mão…</translation>
-    </message>
-    <message>
-        <source>order swaths list drag sequence</source>
-        <translation>ordem passadas lista arrastar sequência</translation>
-    </message>
-    <message>
-        <source>Print the work order…</source>
-        <translation>Imprimir a ordem de serviço…</translation>
-    </message>
-    <message>
-        <source>print pdf report work order picture printer</source>
-        <translation>imprimir PDF relatório ordem de serviço imagem impressora</translation>
-    </message>
-    <message>
-        <source>Drive through the plan</source>
-        <translation>Percorrer o plano</translation>
-    </message>
-    <message>
-        <source>Pause the drive</source>
-        <translation>Pausar o percurso</translation>
-    </message>
-    <message>
-        <source>drive play pause simulate machine</source>
-        <translation>percorrer reproduzir pausar simular máquina</translation>
-    </message>
-    <message>
-        <source>Drive from what is selected</source>
-        <translation>Percorrer a partir da seleção</translation>
-    </message>
-    <message>
-        <source>drive play here swath turn</source>
-        <translation>percorrer aqui passada manobra</translation>
-    </message>
-    <message>
-        <source>Drive faster</source>
-        <translation>Percorrer mais rápido</translation>
-    </message>
-    <message>
-        <source>pace speed</source>
-        <translation>ritmo velocidade</translation>
-    </message>
-    <message>
-        <source>Drive slower</source>
-        <translation>Percorrer mais devagar</translation>
-    </message>
-    <message>
-        <source>Follow the machine</source>
-        <translation>Seguir a máquina</translation>
-    </message>
-    <message>
-        <source>drive camera centre</source>
-        <translation>percorrer mapa centro</translation>
-    </message>
-    <message>
-        <source>Drive-through bar</source>
-        <translation>Barra de percurso</translation>
-    </message>
-    <message>
-        <source>drive play slider</source>
-        <translation>percorrer reproduzir controle</translation>
-    </message>
-    <message>
-        <source>Comment on a place…</source>
-        <translation>Comentar um lugar…</translation>
-    </message>
-    <message>
-        <source>review note remark pin</source>
-        <translation>revisão nota observação lugar</translation>
-    </message>
-    <message>
-        <source>Comment on the whole plan…</source>
-        <translation>Comentar o plano todo…</translation>
-    </message>
-    <message>
-        <source>review note remark</source>
-        <translation>revisão nota observação</translation>
-    </message>
-    <message>
-        <source>contractor share file approve</source>
-        <translation>prestador compartilhar arquivo aprovar</translation>
-    </message>
-    <message>
-        <source>Take in a review that came back…</source>
-        <translation>Incorporar uma revisão que voltou…</translation>
-    </message>
-    <message>
-        <source>merge comments contractor</source>
-        <translation>juntar comentários prestador</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Próximo aviso</translation>
-    </message>
-    <message>
-        <source>problem check step through</source>
-        <translation>problema verificar percorrer</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Aviso anterior</translation>
-    </message>
-    <message>
-        <source>problem check step back</source>
-        <translation>problema verificar voltar</translation>
-    </message>
-    <message>
-        <source>All fields of the farm</source>
-        <translation>Todos os talhões da fazenda</translation>
-    </message>
-    <message>
-        <source>list overview plan all batch totals</source>
-        <translation>lista resumo planejar todos totais</translation>
-    </message>
-    <message>
-        <source>Compare with another plan</source>
-        <translation>Comparar com outro plano</translation>
-    </message>
-    <message>
-        <source>compare variants differences side by side better</source>
-        <translation>comparar variantes diferenças lado a lado melhor</translation>
-    </message>
-    <message>
-        <source>Compare with a recorded track…</source>
-        <translation>Comparar com um percurso gravado…</translation>
-    </message>
-    <message>
-        <source>driven recorded GPX NMEA log cross-track error compare</source>
-        <translation>percorrido gravado GPX NMEA desvio comparar</translation>
-    </message>
-    <message>
-        <source>What the map shows</source>
-        <translation>O que o mapa mostra</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Cores</translation>
-    </message>
-    <message>
-        <source>Size of everything</source>
-        <translation>Tamanho da interface</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Etapas</translation>
-    </message>
-    <message>
-        <source>Layer: swath numbers</source>
-        <translation>Camada: números das passadas</translation>
-    </message>
-    <message>
-        <source>Guide</source>
-        <translation>Guia</translation>
-    </message>
-    <message>
-        <source>help manual how to documentation</source>
-        <translation>ajuda manual documentação como</translation>
-    </message>
-    <message>
-        <source>About Furrow</source>
-        <translation>Sobre o Furrow</translation>
-    </message>
-    <message>
-        <source>version licence credits</source>
-        <translation>versão licença créditos</translation>
-    </message>
-    <message>
-        <source>Report a problem…</source>
-        <translation>Relatar um problema…</translation>
-    </message>
-    <message>
-        <source>bug crash support error</source>
-        <translation>erro falha suporte</translation>
-    </message>
-    <message>
-        <source>Make a field from a recorded track…</source>
-        <translation>Fazer um talhão de um trajeto gravado…</translation>
-    </message>
-    <message>
-        <source>boundary driven recorded GPX NMEA log drive around</source>
-        <translation>limite percorrido gravado GPX NMEA contorno</translation>
-    </message>
-    <message>
-        <source>Compare on two maps</source>
-        <translation>Comparar em dois mapas</translation>
-    </message>
-    <message>
-        <source>compare side by side split map</source>
-        <translation>comparar lado a lado mapa dividido dois</translation>
-    </message>
-    <message>
-        <source>Next finding of the same kind</source>
-        <translation>Próximo aviso do mesmo tipo</translation>
-    </message>
-    <message>
-        <source>Previous finding of the same kind</source>
-        <translation>Aviso anterior do mesmo tipo</translation>
-    </message>
-    <message>
-        <source>Go to a place…</source>
-        <translation>Ir para um lugar…</translation>
-    </message>
-    <message>
-        <source>coordinates latitude longitude map</source>
-        <translation>coordenadas latitude longitude mapa</translation>
-    </message>
-</context>
-<context>
     <name>BestPlanDialog</name>
     <message>
         <source>The best plan found</source>
@@ -997,6 +402,65 @@
     </message>
 </context>
 <context>
+    <name>EditCommands</name>
+    <message>
+        <source>Edit</source>
+        <translation>Editar</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Desfazer: %1</translation>
+    </message>
+    <message>
+        <source>Draw a point</source>
+        <translation>Desenhar um ponto</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfazer</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Refazer: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Refazer</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Excluir a seleção</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Select the next point</source>
+        <translation>Selecionar o próximo ponto</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espaço</translation>
+    </message>
+    <message>
+        <source>Select the next edge</source>
+        <translation>Selecionar o próximo lado</translation>
+    </message>
+    <message>
+        <source>Select the next outline, line or gate</source>
+        <translation>Próximo contorno, linha ou entrada</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Find a command…</source>
+        <translation>Buscar um comando…</translation>
+    </message>
+</context>
+<context>
     <name>EmptyState</name>
     <message>
         <source>Which field?</source>
@@ -1348,6 +812,101 @@
     </message>
 </context>
 <context>
+    <name>FieldCommands</name>
+    <message>
+        <source>Field</source>
+        <translation>Talhão</translation>
+    </message>
+    <message>
+        <source>Draw a field</source>
+        <translation>Desenhar um talhão</translation>
+    </message>
+    <message>
+        <source>boundary polygon</source>
+        <translation>limite polígono</translation>
+    </message>
+    <message>
+        <source>Make a field from a recorded track…</source>
+        <translation>Fazer um talhão de um trajeto gravado…</translation>
+    </message>
+    <message>
+        <source>boundary driven recorded GPX NMEA log drive around</source>
+        <translation>limite percorrido gravado GPX NMEA contorno</translation>
+    </message>
+    <message>
+        <source>Draw a hole</source>
+        <translation>Desenhar um vazio</translation>
+    </message>
+    <message>
+        <source>Draw an obstacle</source>
+        <translation>Desenhar um obstáculo</translation>
+    </message>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>lagoa árvore poste úmido</translation>
+    </message>
+    <message>
+        <source>Draw an AB line</source>
+        <translation>Desenhar uma linha AB</translation>
+    </message>
+    <message>
+        <source>guidance curve direction</source>
+        <translation>orientação curva direção</translation>
+    </message>
+    <message>
+        <source>Draw a split line</source>
+        <translation>Desenhar uma linha de divisão</translation>
+    </message>
+    <message>
+        <source>cut divide mainland parts</source>
+        <translation>cortar dividir interior partes</translation>
+    </message>
+    <message>
+        <source>Add a gate</source>
+        <translation>Adicionar uma entrada</translation>
+    </message>
+    <message>
+        <source>entry road</source>
+        <translation>acesso estrada</translation>
+    </message>
+    <message>
+        <source>Select and change</source>
+        <translation>Selecionar e alterar</translation>
+    </message>
+    <message>
+        <source>Make the outline&apos;s steps straight</source>
+        <translation>Endireitar os degraus do contorno</translation>
+    </message>
+    <message>
+        <source>pixels image stairs smooth simplify</source>
+        <translation>pixels imagem escada suavizar simplificar</translation>
+    </message>
+    <message>
+        <source>Rename the field…</source>
+        <translation>Renomear o talhão…</translation>
+    </message>
+    <message>
+        <source>Remove the field</source>
+        <translation>Remover o talhão</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>excluir</translation>
+    </message>
+    <message>
+        <source>Next field</source>
+        <translation>Próximo talhão</translation>
+    </message>
+    <message>
+        <source>All fields of the farm</source>
+        <translation>Todos os talhões da fazenda</translation>
+    </message>
+    <message>
+        <source>list overview plan all batch totals</source>
+        <translation>lista resumo planejar todos totais</translation>
+    </message>
+</context>
+<context>
     <name>FieldFromTrackPanel</name>
     <message>
         <source>Field from a track</source>
@@ -1406,6 +965,73 @@
     <message>
         <source>%1: the plan has problems and cannot be driven as drawn. The files say so too.</source>
         <translation>%1: o plano tem problemas e não pode ser percorrido como está desenhado. Os arquivos também dizem isso.</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Arquivo</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Novo projeto</translation>
+    </message>
+    <message>
+        <source>farm</source>
+        <translation>fazenda propriedade</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>boundary import project</source>
+        <translation>limite importar projeto</translation>
+    </message>
+    <message>
+        <source>Add imagery…</source>
+        <translation>Adicionar imagens…</translation>
+    </message>
+    <message>
+        <source>GeoTIFF MBTiles aerial photo satellite background heights elevation</source>
+        <translation>GeoTIFF MBTiles foto aérea satélite fundo altitude relevo</translation>
+    </message>
+    <message>
+        <source>Add a folder of tiles…</source>
+        <translation>Adicionar uma pasta de blocos…</translation>
+    </message>
+    <message>
+        <source>imagery XYZ TMS</source>
+        <translation>imagens XYZ TMS</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Salvar como…</translation>
+    </message>
+    <message>
+        <source>Export the plan…</source>
+        <translation>Exportar o plano…</translation>
+    </message>
+    <message>
+        <source>ISOXML USB terminal</source>
+        <translation>ISOXML USB terminal</translation>
+    </message>
+    <message>
+        <source>Print the work order…</source>
+        <translation>Imprimir a ordem de serviço…</translation>
+    </message>
+    <message>
+        <source>print pdf report work order picture printer</source>
+        <translation>imprimir PDF relatório ordem de serviço imagem impressora</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Sair</translation>
     </message>
 </context>
 <context>
@@ -1703,6 +1329,53 @@
     <message>
         <source>Let Furrow search the direction</source>
         <translation>Deixar o Furrow buscar a direção</translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>Help</source>
+        <translation>Ajuda</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guia</translation>
+    </message>
+    <message>
+        <source>help manual how to documentation</source>
+        <translation>ajuda manual documentação como</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Fazer a visita guiada</translation>
+    </message>
+    <message>
+        <source>help introduction first start</source>
+        <translation>ajuda introdução primeiro início</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas e mouse</translation>
+    </message>
+    <message>
+        <source>shortcuts help</source>
+        <translation>atalhos ajuda</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>Relatar um problema…</translation>
+    </message>
+    <message>
+        <source>bug crash support error</source>
+        <translation>erro falha suporte</translation>
+    </message>
+    <message>
+        <source>About Furrow</source>
+        <translation>Sobre o Furrow</translation>
+    </message>
+    <message>
+        <source>version licence credits</source>
+        <translation>versão licença créditos</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2180,161 @@
     <message>
         <source>Done</source>
         <translation>Concluída</translation>
+    </message>
+</context>
+<context>
+    <name>PlanCommands</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>Add a plan…</source>
+        <translation>Adicionar um plano…</translation>
+    </message>
+    <message>
+        <source>season operation copy</source>
+        <translation>safra operação cópia</translation>
+    </message>
+    <message>
+        <source>Compare with another plan</source>
+        <translation>Comparar com outro plano</translation>
+    </message>
+    <message>
+        <source>compare variants differences side by side better</source>
+        <translation>comparar variantes diferenças lado a lado melhor</translation>
+    </message>
+    <message>
+        <source>Compare on two maps</source>
+        <translation>Comparar em dois mapas</translation>
+    </message>
+    <message>
+        <source>compare side by side split map</source>
+        <translation>comparar lado a lado mapa dividido dois</translation>
+    </message>
+    <message>
+        <source>Compare with a recorded track…</source>
+        <translation>Comparar com um percurso gravado…</translation>
+    </message>
+    <message>
+        <source>driven recorded GPX NMEA log cross-track error compare</source>
+        <translation>percorrido gravado GPX NMEA desvio comparar</translation>
+    </message>
+    <message>
+        <source>Rename the plan…</source>
+        <translation>Renomear o plano…</translation>
+    </message>
+    <message>
+        <source>Remove the plan</source>
+        <translation>Remover o plano</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>excluir</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planejar de novo</translation>
+    </message>
+    <message>
+        <source>Find the best plan…</source>
+        <translation>Buscar o melhor plano…</translation>
+    </message>
+    <message>
+        <source>quickest optimise compare alternatives</source>
+        <translation>mais rápido otimizar comparar alternativas</translation>
+    </message>
+    <message>
+        <source>Change the order by hand…</source>
+        <translation>Mudar a ordem à mão…</translation>
+    </message>
+    <message>
+        <source>order swaths list drag sequence</source>
+        <translation>ordem passadas lista arrastar sequência</translation>
+    </message>
+    <message>
+        <source>Drive through the plan</source>
+        <translation>Percorrer o plano</translation>
+    </message>
+    <message>
+        <source>Pause the drive</source>
+        <translation>Pausar o percurso</translation>
+    </message>
+    <message>
+        <source>drive play pause simulate machine</source>
+        <translation>percorrer reproduzir pausar simular máquina</translation>
+    </message>
+    <message>
+        <source>Drive from what is selected</source>
+        <translation>Percorrer a partir da seleção</translation>
+    </message>
+    <message>
+        <source>drive play here swath turn</source>
+        <translation>percorrer aqui passada manobra</translation>
+    </message>
+    <message>
+        <source>Drive faster</source>
+        <translation>Percorrer mais rápido</translation>
+    </message>
+    <message>
+        <source>pace speed</source>
+        <translation>ritmo velocidade</translation>
+    </message>
+    <message>
+        <source>Drive slower</source>
+        <translation>Percorrer mais devagar</translation>
+    </message>
+    <message>
+        <source>Comment on a place…</source>
+        <translation>Comentar um lugar…</translation>
+    </message>
+    <message>
+        <source>review note remark pin</source>
+        <translation>revisão nota observação lugar</translation>
+    </message>
+    <message>
+        <source>Comment on the whole plan…</source>
+        <translation>Comentar o plano todo…</translation>
+    </message>
+    <message>
+        <source>review note remark</source>
+        <translation>revisão nota observação</translation>
+    </message>
+    <message>
+        <source>contractor share file approve</source>
+        <translation>prestador compartilhar arquivo aprovar</translation>
+    </message>
+    <message>
+        <source>Take in a review that came back…</source>
+        <translation>Incorporar uma revisão que voltou…</translation>
+    </message>
+    <message>
+        <source>merge comments contractor</source>
+        <translation>juntar comentários prestador</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Próximo aviso</translation>
+    </message>
+    <message>
+        <source>problem check step through</source>
+        <translation>problema verificar percorrer</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Aviso anterior</translation>
+    </message>
+    <message>
+        <source>problem check step back</source>
+        <translation>problema verificar voltar</translation>
+    </message>
+    <message>
+        <source>Next finding of the same kind</source>
+        <translation>Próximo aviso do mesmo tipo</translation>
+    </message>
+    <message>
+        <source>Previous finding of the same kind</source>
+        <translation>Aviso anterior do mesmo tipo</translation>
     </message>
 </context>
 <context>
@@ -7929,6 +7757,197 @@
     <message>
         <source>Save</source>
         <translation>Salvar</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>View</source>
+        <translation>Exibir</translation>
+    </message>
+    <message>
+        <source>What the map shows</source>
+        <translation>O que o mapa mostra</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Cores</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Tamanho da interface</translation>
+    </message>
+    <message>
+        <source>Everything at %1 %</source>
+        <translation>Tudo em %1 %</translation>
+    </message>
+    <message>
+        <source>size scaling zoom large text</source>
+        <translation>tamanho escala zoom texto grande</translation>
+    </message>
+    <message>
+        <source>Follow the machine</source>
+        <translation>Seguir a máquina</translation>
+    </message>
+    <message>
+        <source>drive camera centre</source>
+        <translation>percorrer mapa centro</translation>
+    </message>
+    <message>
+        <source>Drive-through bar</source>
+        <translation>Barra de percurso</translation>
+    </message>
+    <message>
+        <source>drive play slider</source>
+        <translation>percorrer reproduzir controle</translation>
+    </message>
+    <message>
+        <source>Show the whole field</source>
+        <translation>Mostrar todo o talhão</translation>
+    </message>
+    <message>
+        <source>Go to a place…</source>
+        <translation>Ir para um lugar…</translation>
+    </message>
+    <message>
+        <source>coordinates latitude longitude map</source>
+        <translation>coordenadas latitude longitude mapa</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Aproximar</translation>
+    </message>
+    <message>
+        <source>zoom in</source>
+        <translation>ampliar zoom</translation>
+    </message>
+    <message>
+        <source>Further away</source>
+        <translation>Afastar</translation>
+    </message>
+    <message>
+        <source>zoom out</source>
+        <translation>reduzir zoom</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Etapas</translation>
+    </message>
+    <message>
+        <source>Results panel</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Camadas</translation>
+    </message>
+    <message>
+        <source>imagery map background</source>
+        <translation>imagens mapa fundo</translation>
+    </message>
+    <message>
+        <source>Layer: imagery</source>
+        <translation>Camada: imagens</translation>
+    </message>
+    <message>
+        <source>Layer: OpenStreetMap from the network</source>
+        <translation>Camada: OpenStreetMap da rede</translation>
+    </message>
+    <message>
+        <source>online tiles</source>
+        <translation>on-line blocos</translation>
+    </message>
+    <message>
+        <source>Layer: boundary</source>
+        <translation>Camada: limite do talhão</translation>
+    </message>
+    <message>
+        <source>Layer: headland</source>
+        <translation>Camada: cabeceira</translation>
+    </message>
+    <message>
+        <source>Layer: swaths</source>
+        <translation>Camada: passadas</translation>
+    </message>
+    <message>
+        <source>Layer: turns</source>
+        <translation>Camada: manobras</translation>
+    </message>
+    <message>
+        <source>Layer: driving direction</source>
+        <translation>Camada: sentido de marcha</translation>
+    </message>
+    <message>
+        <source>Layer: swath numbers</source>
+        <translation>Camada: números das passadas</translation>
+    </message>
+    <message>
+        <source>Layer: order numbers</source>
+        <translation>Camada: números de ordem</translation>
+    </message>
+    <message>
+        <source>Layer: coverage</source>
+        <translation>Camada: área trabalhada</translation>
+    </message>
+    <message>
+        <source>Layer: worked twice</source>
+        <translation>Camada: trabalhado duas vezes</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>sobreposição</translation>
+    </message>
+    <message>
+        <source>Layer: missed</source>
+        <translation>Camada: falhas</translation>
+    </message>
+    <message>
+        <source>gap uncovered</source>
+        <translation>lacuna não coberta</translation>
+    </message>
+    <message>
+        <source>Layer: driven over often</source>
+        <translation>Camada: passagens de roda</translation>
+    </message>
+    <message>
+        <source>wheel passes traffic compaction</source>
+        <translation>passagens de roda tráfego compactação</translation>
+    </message>
+    <message>
+        <source>Layer: findings</source>
+        <translation>Camada: avisos</translation>
+    </message>
+    <message>
+        <source>Language and units…</source>
+        <translation>Idioma e unidades…</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>preferências configurações métrico imperial pés acres</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Cores claras</translation>
+    </message>
+    <message>
+        <source>theme</source>
+        <translation>tema</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Cores escuras</translation>
+    </message>
+    <message>
+        <source>theme night</source>
+        <translation>tema noite</translation>
+    </message>
+    <message>
+        <source>Sunlight colours</source>
+        <translation>Cores para pleno sol</translation>
+    </message>
+    <message>
+        <source>theme contrast</source>
+        <translation>tema contraste</translation>
     </message>
 </context>
 <context>

@@ -2,49 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pt_PT" sourcelanguage="en">
 <context>
-    <name>AppCommands</name>
-    <message>
-        <source>File</source>
-        <translation>Ficheiro</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Guardar</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Guardar como…</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Eliminar a seleção</translation>
-    </message>
-    <message>
-        <source>pond tree pole wet</source>
-        <translation>lagoa árvore poste húmido</translation>
-    </message>
-    <message>
-        <source>delete</source>
-        <translation>eliminar</translation>
-    </message>
-    <message>
-        <source>Plan again</source>
-        <translation>Planear de novo</translation>
-    </message>
-    <message>
-        <source>preferences settings metric imperial feet acres</source>
-        <translation>preferências definições métrico imperial pés acres</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Teclas e rato</translation>
-    </message>
-    <message>
-        <source>online tiles</source>
-        <translation>online blocos</translation>
-    </message>
-</context>
-<context>
     <name>DrawingNotice</name>
     <message>
         <source>The map cannot show fields and plans: this window is drawn without OpenGL.</source>
@@ -53,6 +10,13 @@
     <message>
         <source>Install a graphics driver with OpenGL; Mesa draws on any processor. The command line plans and exports all the same.</source>
         <translation>Instale um controlador gráfico com OpenGL; o Mesa desenha em qualquer processador. A linha de comandos planeia e exporta mesmo assim.</translation>
+    </message>
+</context>
+<context>
+    <name>EditCommands</name>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Eliminar a seleção</translation>
     </message>
 </context>
 <context>
@@ -141,10 +105,43 @@
     </message>
 </context>
 <context>
+    <name>FieldCommands</name>
+    <message>
+        <source>pond tree pole wet</source>
+        <translation>lagoa árvore poste húmido</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>eliminar</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Ficheiro</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+</context>
+<context>
     <name>FilesNotice</name>
     <message>
         <source>Save as…</source>
         <translation>Guardar como…</translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Teclas e rato</translation>
     </message>
 </context>
 <context>
@@ -203,6 +200,17 @@
     <message>
         <source>Keys and mouse</source>
         <translation>Teclas e rato</translation>
+    </message>
+</context>
+<context>
+    <name>PlanCommands</name>
+    <message>
+        <source>delete</source>
+        <translation>eliminar</translation>
+    </message>
+    <message>
+        <source>Plan again</source>
+        <translation>Planear de novo</translation>
     </message>
 </context>
 <context>
@@ -1126,6 +1134,17 @@
     <message>
         <source>Safe to unplug: %1</source>
         <translation>A pen USB pode ser retirada: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCommands</name>
+    <message>
+        <source>online tiles</source>
+        <translation>online blocos</translation>
+    </message>
+    <message>
+        <source>preferences settings metric imperial feet acres</source>
+        <translation>preferências definições métrico imperial pés acres</translation>
     </message>
 </context>
 </TS>

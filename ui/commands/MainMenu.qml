@@ -26,7 +26,7 @@ T.MenuBar {
         }
         return taken;
     }
-    readonly property list<string> titles: [commands.fileGroup, commands.editGroup, commands.fieldGroup, commands.planGroup, commands.viewGroup, commands.helpGroup].map(group => group.title)
+    readonly property list<string> titles: commands.menus.map(menu => menu.title)
 
     component Entries: ThemedMenu {
         id: menu
@@ -46,11 +46,11 @@ T.MenuBar {
         }
     }
     component Group: Entries {
-        required property CommandGroup group
+        required property MenuCommands group
 
         objectName: "menu." + group.title
         title: root.marked(group.title)
-        entries: root.commands.inGroup(group).filter(command => command.submenu === null)
+        entries: group.commands.filter(command => command.submenu === null)
     }
     component Submenu: Entries {
         required property CommandGroup group
@@ -92,20 +92,20 @@ T.MenuBar {
     }
 
     Group {
-        group: root.commands.fileGroup
+        group: root.commands.file
         Component.onCompleted: insertMenu(2, root.recent)
     }
-    Group { group: root.commands.editGroup }
-    Group { group: root.commands.fieldGroup }
-    Group { group: root.commands.planGroup }
+    Group { group: root.commands.edit }
+    Group { group: root.commands.field }
+    Group { group: root.commands.plan }
     Group {
-        group: root.commands.viewGroup
+        group: root.commands.view
 
-        Submenu { group: root.commands.layersMenu }
-        Submenu { group: root.commands.coloursMenu }
-        Submenu { group: root.commands.sizeMenu }
+        Submenu { group: root.commands.view.layersMenu }
+        Submenu { group: root.commands.view.coloursMenu }
+        Submenu { group: root.commands.view.sizeMenu }
     }
-    Group { group: root.commands.helpGroup }
+    Group { group: root.commands.help }
 
     /// A title with its letter for Alt.
     function marked(title: string): string {

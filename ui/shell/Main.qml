@@ -125,60 +125,83 @@ ApplicationWindow {
     AppCommands {
         id: appCommands
 
-        document: root.session.document
-        files: root.session.files
-        farm: root.session.farm
-        shown: root.session.shown
-        planning: root.session.planning
-        review: root.session.review
-        drive: root.session.drive
-        driveBar: driveBar
-        page: page
-        layersPanel: layersPanel
-        scaleSetting: windowDialogs.scaleSetting
-        onNewRequested: dialogs.startNew()
-        onOpenRequested: dialogs.open()
-        onImageryRequested: imageryDialogs.addFiles()
-        onTileFolderRequested: imageryDialogs.addTileFolder()
-        onSaveRequested: dialogs.save()
-        onSaveAsRequested: dialogs.saveAs()
-        onExportRequested: root.exportPlan()
-        onPrintRequested: {
-            root.session.printing.chosen = [];
-            printDialog.open();
+        file: FileCommands {
+            document: root.session.document
+            files: root.session.files
+            farm: root.session.farm
+            onNewRequested: dialogs.startNew()
+            onOpenRequested: dialogs.open()
+            onImageryRequested: imageryDialogs.addFiles()
+            onTileFolderRequested: imageryDialogs.addTileFolder()
+            onSaveRequested: dialogs.save()
+            onSaveAsRequested: dialogs.saveAs()
+            onExportRequested: root.exportPlan()
+            onPrintRequested: {
+                root.session.printing.chosen = [];
+                printDialog.open();
+            }
+            onQuitRequested: root.close()
         }
-        onBestPlanRequested: bestPlanDialog.open()
-        onOrderRequested: {
-            root.stepsWanted = true;
-            steps.changeOrder();
+        edit: EditCommands {
+            document: root.session.document
+            farm: root.session.farm
+            page: page
+            onPaletteRequested: finder.open()
         }
-        onFindingRequested: by => root.stepFinding(by)
-        onFindingOfKindRequested: by => root.showAndGoTo(root.session.findings.nextOfKind(root.currentFinding, by))
-        onCommentRequested: atPlace => root.comment(atPlace)
-        onSendRequested: reviewDialogs.send()
-        onTakeInRequested: reviewDialogs.takeIn()
-        onDriveBarRequested: on => root.driveWanted = on
-        onDriveRequested: segment => root.driveFrom(segment)
-        onTrackRequested: beside.askForTrack()
-        onFieldFromTrackRequested: beside.askForFieldTrack()
-        twoMaps: beside.twoMaps
-        onTwoMapsRequested: beside.toggleTwoMaps()
-        onCompareRequested: beside.compareOpen ? beside.closeCompare() : beside.showCompare()
-        onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
-        onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
-        onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
-        onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
-        onPaletteRequested: finder.open()
-        onPlaceRequested: finder.openForPlace()
-        onKeysRequested: windowDialogs.keys.open()
-        onGuideRequested: beside.guideOpen ? beside.closeGuide() : beside.showGuide()
-        onAboutRequested: windowDialogs.about.open()
-        onTroubleRequested: windowDialogs.trouble.open()
-        onPreferencesRequested: windowDialogs.preferences.open()
-        onTourRequested: tour.start()
-        onQuitRequested: root.close()
-        onPanelRequested: beside.togglePanel()
-        onStepsRequested: root.stepsWanted = !root.stepsWanted
+        field: FieldCommands {
+            farm: root.session.farm
+            page: page
+            onFieldFromTrackRequested: beside.askForFieldTrack()
+            onRenameFieldRequested: root.askName(qsTr("Rename the field"), root.session.farm.fieldName, "", false, name => root.session.farm.renameField(name))
+            onFarmRequested: root.farmOpen ? root.closeFarm() : root.showFarm()
+        }
+        plan: PlanCommands {
+            farm: root.session.farm
+            shown: root.session.shown
+            planning: root.session.planning
+            review: root.session.review
+            drive: root.session.drive
+            page: page
+            twoMaps: beside.twoMaps
+            onAddPlanRequested: root.askName(qsTr("Add a plan"), "", "", false, name => root.session.farm.addPlan(name))
+            onCompareRequested: beside.compareOpen ? beside.closeCompare() : beside.showCompare()
+            onTwoMapsRequested: beside.toggleTwoMaps()
+            onTrackRequested: beside.askForTrack()
+            onRenamePlanRequested: root.askName(qsTr("Rename the plan"), root.session.farm.planName, root.session.farm.season, true, (name, season) => root.session.farm.renamePlan(name, season))
+            onBestPlanRequested: bestPlanDialog.open()
+            onOrderRequested: {
+                root.stepsWanted = true;
+                steps.changeOrder();
+            }
+            onDriveBarRequested: on => root.driveWanted = on
+            onDriveRequested: segment => root.driveFrom(segment)
+            onCommentRequested: atPlace => root.comment(atPlace)
+            onSendRequested: reviewDialogs.send()
+            onTakeInRequested: reviewDialogs.takeIn()
+            onFindingRequested: by => root.stepFinding(by)
+            onFindingOfKindRequested: by => root.showAndGoTo(root.session.findings.nextOfKind(root.currentFinding, by))
+        }
+        view: ViewCommands {
+            farm: root.session.farm
+            shown: root.session.shown
+            drive: root.session.drive
+            driveBar: driveBar
+            page: page
+            layersPanel: layersPanel
+            scaleSetting: windowDialogs.scaleSetting
+            onDriveBarRequested: on => root.driveWanted = on
+            onPlaceRequested: finder.openForPlace()
+            onStepsRequested: root.stepsWanted = !root.stepsWanted
+            onPanelRequested: beside.togglePanel()
+            onPreferencesRequested: windowDialogs.preferences.open()
+        }
+        help: HelpCommands {
+            onGuideRequested: beside.guideOpen ? beside.closeGuide() : beside.showGuide()
+            onTourRequested: tour.start()
+            onKeysRequested: windowDialogs.keys.open()
+            onTroubleRequested: windowDialogs.trouble.open()
+            onAboutRequested: windowDialogs.about.open()
+        }
     }
     Shortcut {
         sequences: ["F10"]
