@@ -1,6 +1,6 @@
 import QtQuick
 import Furrow.Controls
-import Furrow.Map
+import Furrow.Edit
 import Furrow.Project
 
 /// Undo, and what is selected.

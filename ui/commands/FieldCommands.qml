@@ -2,7 +2,6 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import Furrow.Controls
 import Furrow.Edit
-import Furrow.Map
 import Furrow.Project
 
 /// Fields and what is drawn in them.

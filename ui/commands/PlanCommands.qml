@@ -1,6 +1,7 @@
 import QtQuick
 import Furrow.Controls
 import Furrow.Drive
+import Furrow.Edit
 import Furrow.Map
 import Furrow.Plan
 import Furrow.Project

@@ -2,6 +2,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import Furrow.Controls
 import Furrow.Drive
+import Furrow.Edit
 import Furrow.Layers
 import Furrow.Map
 import Furrow.Project
