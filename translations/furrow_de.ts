@@ -2189,6 +2189,18 @@
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Drive-through</source>
+        <translation>Abfahren</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsicht</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
         <source>Add a plan…</source>
         <translation>Plan hinzufügen …</translation>
     </message>

@@ -2189,6 +2189,18 @@
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Drive-through</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisión</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
         <source>Add a plan…</source>
         <translation>Añadir un plan…</translation>
     </message>

@@ -2189,6 +2189,18 @@
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Drive-through</source>
+        <translation>Parcours</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
         <source>Add a plan…</source>
         <translation>Ajouter un plan…</translation>
     </message>

@@ -2189,6 +2189,18 @@
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Drive-through</source>
+        <translation>Afrijden</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Beoordeling</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Bevindingen</translation>
+    </message>
+    <message>
         <source>Add a plan…</source>
         <translation>Plan toevoegen…</translation>
     </message>

@@ -2189,6 +2189,18 @@
         <translation>Plano</translation>
     </message>
     <message>
+        <source>Drive-through</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisão</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
         <source>Add a plan…</source>
         <translation>Adicionar um plano…</translation>
     </message>

@@ -97,7 +97,13 @@ T.MenuBar {
     }
     Group { group: root.commands.edit }
     Group { group: root.commands.field }
-    Group { group: root.commands.plan }
+    Group {
+        group: root.commands.plan
+
+        Submenu { group: root.commands.plan.driveMenu }
+        Submenu { group: root.commands.plan.reviewMenu }
+        Submenu { group: root.commands.plan.findingsMenu }
+    }
     Group {
         group: root.commands.view
 

@@ -34,6 +34,11 @@ MenuCommands {
     signal findingOfKindRequested(by: int)
 
     title: qsTr("Plan")
+
+    readonly property CommandGroup driveMenu: CommandGroup { title: qsTr("Drive-through") }
+    readonly property CommandGroup reviewMenu: CommandGroup { title: qsTr("Review") }
+    readonly property CommandGroup findingsMenu: CommandGroup { title: qsTr("Findings") }
+
     commands: [
         Command {
             objectName: "command.addPlan"
@@ -116,8 +121,8 @@ MenuCommands {
         },
         Command {
             objectName: "command.drive"
-            ruled: true
             group: root
+            submenu: root.driveMenu
             name: qsTr("Drive through the plan")
             text: root.drive.playing ? qsTr("Pause the drive") : name
             shortcut: "Ctrl+Space"
@@ -131,6 +136,7 @@ MenuCommands {
         Command {
             objectName: "command.driveHere"
             group: root
+            submenu: root.driveMenu
             text: qsTr("Drive from what is selected")
             keywords: qsTr("drive play here swath turn")
             enabled: root.drive.available && root.page.editor.selectedSegment >= 0
@@ -139,6 +145,7 @@ MenuCommands {
         Command {
             objectName: "command.driveFaster"
             group: root
+            submenu: root.driveMenu
             text: qsTr("Drive faster")
             keywords: qsTr("pace speed")
             enabled: root.drive.available
@@ -147,6 +154,7 @@ MenuCommands {
         Command {
             objectName: "command.driveSlower"
             group: root
+            submenu: root.driveMenu
             text: qsTr("Drive slower")
             keywords: qsTr("pace speed")
             enabled: root.drive.available
@@ -154,8 +162,8 @@ MenuCommands {
         },
         Command {
             objectName: "command.commentPlace"
-            ruled: true
             group: root
+            submenu: root.reviewMenu
             text: qsTr("Comment on a place…")
             shortcut: "Ctrl+M"
             keywords: qsTr("review note remark pin")
@@ -165,6 +173,7 @@ MenuCommands {
         Command {
             objectName: "command.commentPlan"
             group: root
+            submenu: root.reviewMenu
             text: qsTr("Comment on the whole plan…")
             keywords: qsTr("review note remark")
             enabled: root.shown.hasPlan
@@ -173,6 +182,7 @@ MenuCommands {
         Command {
             objectName: "command.sendReview"
             group: root
+            submenu: root.reviewMenu
             text: root.review.sendText
             keywords: qsTr("contractor share file approve")
             enabled: root.shown.hasPlan
@@ -181,6 +191,7 @@ MenuCommands {
         Command {
             objectName: "command.takeInReview"
             group: root
+            submenu: root.reviewMenu
             text: qsTr("Take in a review that came back…")
             keywords: qsTr("merge comments contractor")
             enabled: root.farm.hasField
@@ -188,8 +199,8 @@ MenuCommands {
         },
         Command {
             objectName: "command.nextFinding"
-            ruled: true
             group: root
+            submenu: root.findingsMenu
             text: qsTr("Next finding")
             shortcut: "F8"
             keywords: qsTr("problem check step through")
@@ -199,6 +210,7 @@ MenuCommands {
         Command {
             objectName: "command.previousFinding"
             group: root
+            submenu: root.findingsMenu
             text: qsTr("Previous finding")
             shortcut: "Shift+F8"
             keywords: qsTr("problem check step back")
@@ -208,6 +220,7 @@ MenuCommands {
         Command {
             objectName: "command.nextOfKind"
             group: root
+            submenu: root.findingsMenu
             text: qsTr("Next finding of the same kind")
             shortcut: "Ctrl+F8"
             keywords: qsTr("problem check step through")
@@ -217,6 +230,7 @@ MenuCommands {
         Command {
             objectName: "command.previousOfKind"
             group: root
+            submenu: root.findingsMenu
             text: qsTr("Previous finding of the same kind")
             shortcut: "Ctrl+Shift+F8"
             keywords: qsTr("problem check step back")
