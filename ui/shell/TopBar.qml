@@ -48,7 +48,7 @@ Rectangle {
             hint: root.stepsOpen ? qsTr("Hide the steps") : qsTr("Show the steps")
             hintBelow: true
             checked: root.stepsOpen
-            onClicked: root.commands.stepsRequested()
+            onClicked: root.commands.view.stepsRequested()
         }
         ToolIconButton {
             objectName: "farmButton"
@@ -137,7 +137,7 @@ Rectangle {
         SearchButton {
             objectName: "searchButton"
             visible: root.width > 1100
-            onClicked: root.commands.paletteRequested()
+            onClicked: root.commands.edit.paletteRequested()
         }
         ThemeSwitch { hintBelow: true }
         ToolIconButton {
@@ -147,7 +147,7 @@ Rectangle {
             hint: root.panelOpen ? qsTr("Hide the results") : qsTr("Show the results")
             hintBelow: true
             checked: root.panelOpen
-            onClicked: root.commands.panelRequested()
+            onClicked: root.commands.view.panelRequested()
         }
         PushButton {
             objectName: "openButton"
@@ -156,7 +156,7 @@ Rectangle {
             Layout.leftMargin: 4
             text: qsTr("Open")
             iconName: "open"
-            onClicked: root.commands.openRequested()
+            onClicked: root.commands.file.openRequested()
         }
         PushButton {
             objectName: "compareButton"
@@ -176,7 +176,7 @@ Rectangle {
             primary: root.session.planning.state !== PlanState.Failed
             // What cannot be exported is told there, and why.
             enabled: root.session.farm.hasField
-            onClicked: root.commands.exportRequested()
+            onClicked: root.commands.file.exportRequested()
         }
     }
 }
