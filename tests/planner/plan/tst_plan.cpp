@@ -325,8 +325,8 @@ private slots:
 
     // Headland passes go along with the land. Moved to the south: to the east north turns by millimetres for
     // each hundred metres. Whether there is room to reach into a corner may hang on less than a millimetre,
-    // and so may by how much a bend is eased, where a pass starts and which order is the quickest: that was
-    // so for 6 % of 180 fields.
+    // and so may by how much a bend is eased, where a pass starts and which order is the quickest: that is so
+    // for 6 to 10 % of such fields.
     void passesMoveWithTheField() {
         constexpr std::uint64_t kSeed = 3100;
         constexpr qsizetype kFields = 60;
