@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace furrow {
 
@@ -13,11 +12,6 @@ constexpr double kFewestCells = 1024.0;
 constexpr double kMostCells = 65536.0;
 /// A point on the line between two cells belongs to both.
 constexpr double kCellSlackM = 1e-6;
-
-/// Turns counts, stored one behind their slot, into the start of each slot.
-void accumulate(std::vector<std::uint32_t>& counts) {
-    std::partial_sum(counts.begin(), counts.end(), counts.begin());
-}
 
 }  // namespace
 
@@ -62,35 +56,24 @@ void BoundaryIndex::forEachCell(const Edge& edge, Take&& take) const {
 }
 
 void BoundaryIndex::fillCells() {
-    cellStart_.assign(columns_ * rows_ + 1, 0);
-    for (const Edge& edge : edges_) {
-        forEachCell(edge, [&](std::size_t cell) { ++cellStart_[cell + 1]; });
-    }
-    accumulate(cellStart_);
-    cellEdges_.resize(cellStart_.back());
-    std::vector<std::uint32_t> next{cellStart_.begin(), cellStart_.end() - 1};
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-        forEachCell(edges_[i], [&](std::size_t cell) { cellEdges_[next[cell]++] = i; });
-    }
+    inCells_ = SlottedItems{columns_ * rows_, [&](const auto& take) {
+                                for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+                                    forEachCell(edges_[i], [&](std::size_t cell) { take(cell, i); });
+                                }
+                            }};
 }
 
 void BoundaryIndex::fillRows() {
-    rowStart_.assign(rows_ + 1, 0);
-    const auto forEachRow = [&](const Edge& edge, const auto& take) {
-        const std::size_t last = row(std::max(edge.from.y, edge.to.y));
-        for (std::size_t r = row(std::min(edge.from.y, edge.to.y)); r <= last; ++r) {
-            take(r);
-        }
-    };
-    for (const Edge& edge : edges_) {
-        forEachRow(edge, [&](std::size_t r) { ++rowStart_[r + 1]; });
-    }
-    accumulate(rowStart_);
-    rowEdges_.resize(rowStart_.back());
-    std::vector<std::uint32_t> next{rowStart_.begin(), rowStart_.end() - 1};
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-        forEachRow(edges_[i], [&](std::size_t r) { rowEdges_[next[r]++] = i; });
-    }
+    inRows_ =
+        SlottedItems{rows_, [&](const auto& take) {
+                         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+                             const Edge& edge = edges_[i];
+                             const std::size_t last = row(std::max(edge.from.y, edge.to.y));
+                             for (std::size_t r = row(std::min(edge.from.y, edge.to.y)); r <= last; ++r) {
+                                 take(r, i);
+                             }
+                         }
+                     }};
 }
 
 /// A cell without edges is inside or outside as a whole, and so are empty cells beside it.
@@ -99,7 +82,7 @@ void BoundaryIndex::findInside() {
     for (std::size_t r = 0; r < rows_; ++r) {
         for (std::size_t c = 0; c < columns_; ++c) {
             const std::size_t cell = r * columns_ + c;
-            if (cellStart_[cell] < cellStart_[cell + 1]) {
+            if (!inCells_.in(cell).empty()) {
                 continue;
             }
             if (c > 0 && cells_[cell - 1] != Cell::Edges) {
@@ -125,8 +108,8 @@ bool BoundaryIndex::contains(Point point) const {
 bool BoundaryIndex::containsByRow(Point point) const {
     const std::size_t r = row(point.y);
     bool inside = false;
-    for (std::uint32_t i = rowStart_[r]; i < rowStart_[r + 1]; ++i) {
-        const auto& [a, b] = edges_[rowEdges_[i]];
+    for (const std::uint32_t i : inRows_.in(r)) {
+        const auto& [a, b] = edges_[i];
         if ((a.y > point.y) != (b.y > point.y) &&
             point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
             inside = !inside;
@@ -145,8 +128,8 @@ bool BoundaryIndex::containsDisc(Point middle, double radius) const {
     for (std::size_t r = row(middle.y - radius); r <= lastRow; ++r) {
         for (std::size_t c = column(middle.x - radius); c <= lastColumn; ++c) {
             const std::size_t cell = r * columns_ + c;
-            for (std::uint32_t i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-                if (squaredDistanceToSegment(middle, edges_[cellEdges_[i]]) < square) {
+            for (const std::uint32_t i : inCells_.in(cell)) {
+                if (squaredDistanceToSegment(middle, edges_[i]) < square) {
                     return false;
                 }
             }

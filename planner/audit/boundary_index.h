@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/audit/slotted_items.h"
 #include "planner/geometry/polygon.h"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ public:
         for (std::size_t r = row(box.min.y); r <= lastRow; ++r) {
             for (std::size_t c = firstColumn; c <= lastColumn; ++c) {
                 const std::size_t cell = r * columns_ + c;
-                for (std::uint32_t i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-                    visit(edges_[cellEdges_[i]]);
+                for (const std::uint32_t i : inCells_.in(cell)) {
+                    visit(edges_[i]);
                 }
             }
         }
@@ -71,10 +72,8 @@ private:
     double cellM_ = 1.0;
     std::size_t columns_ = 1;
     std::size_t rows_ = 1;
-    std::vector<std::uint32_t> cellStart_;  ///< first entry of each cell in cellEdges_, and the end
-    std::vector<std::uint32_t> cellEdges_;
-    std::vector<std::uint32_t> rowStart_;
-    std::vector<std::uint32_t> rowEdges_;
+    SlottedItems inCells_;  ///< edges
+    SlottedItems inRows_;
     std::vector<Cell> cells_;
 };
 

@@ -2,12 +2,12 @@
 
 #include "planner/audit/convex.h"
 #include "planner/audit/length.h"
+#include "planner/audit/slotted_items.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace furrow {
 
@@ -41,16 +41,11 @@ public:
         corner_ = all.min;
         columns_ = placeOf(all.max.x - corner_.x) + 1;
         rows_ = placeOf(all.max.y - corner_.y) + 1;
-        first_.assign(columns_ * rows_ + 1, 0);
-        for (const Bounds& box : boxes_) {
-            forEachCell(box, [&](std::size_t cell) { ++first_[cell + 1]; });
-        }
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        inCells_.resize(first_.back());
-        std::vector<std::uint32_t> next = first_;
-        for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-            forEachCell(boxes_[i], [&](std::size_t cell) { inCells_[next[cell]++] = i; });
-        }
+        inCells_ = SlottedItems{columns_ * rows_, [&](const auto& take) {
+                                    for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+                                        forEachCell(boxes_[i], [&](std::size_t cell) { take(cell, i); });
+                                    }
+                                }};
     }
 
     /// Calls `visit(piece)` for every piece whose box meets that of the edge, for some more than once.
@@ -58,11 +53,11 @@ public:
     void visitNear(const Edge& edge, Visit&& visit) const {
         const Bounds box = boxOf({edge.from, edge.to});
         forEachCell(box, [&](std::size_t cell) {
-            for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) {
-                const Bounds& lane = boxes_[inCells_[k]];
+            for (const std::uint32_t i : inCells_.in(cell)) {
+                const Bounds& lane = boxes_[i];
                 if (lane.min.x < box.max.x && box.min.x < lane.max.x && lane.min.y < box.max.y &&
                     box.min.y < lane.max.y) {
-                    visit(pieces_[inCells_[k]]);
+                    visit(pieces_[i]);
                 }
             }
         });
@@ -105,9 +100,7 @@ private:
     std::size_t columns_ = 0;
     std::size_t rows_ = 0;
     std::vector<Bounds> boxes_;
-    // The pieces of cell i start at first_[i] of inCells_.
-    std::vector<std::uint32_t> first_;
-    std::vector<std::uint32_t> inCells_;
+    SlottedItems inCells_;  ///< pieces
 };
 
 /// Parts of one step, from 0 to 1.
