@@ -27,6 +27,9 @@ constexpr int kMostRounds = 3;
 constexpr double kArcShare = 0.1;
 constexpr double kCoarser = 2.0;
 constexpr std::size_t kMostTested = 4000;
+// After so many the search looks whether any straight leads to the end. Most ends that are not found have
+// none: they lie beside an edge, where the machine cannot turn.
+constexpr std::size_t kTestedBeforeLook = 10;
 
 /// Where the machine may turn by any angle.
 Result<MultiPolygon> turningArea(const AllowedAreas& areas, const Machine& machine, const JobContext& job) {
@@ -125,7 +128,7 @@ public:
     std::optional<Curve> run(const JobContext& job) {
         open(kNone, begin_);
         for (std::size_t tested = 0; !open_.empty() && tested < kMostTested; ++tested) {
-            if (tested % 64 == 0 && job.stopRequested()) {
+            if ((tested % 64 == 0 && job.stopRequested()) || (tested == kTestedBeforeLook && !leadsToEnd())) {
                 return std::nullopt;
             }
             const Entry entry = open_.top();
@@ -220,6 +223,17 @@ private:
         }
         return step.from < end_ && step.to < end_ ? ways_.leadsBetweenCorners(step.from, step.to)
                                                   : ways_.leads(placeOf(step.from), placeOf(step.to));
+    }
+
+    /// Whether a straight leads to the end from any place.
+    bool leadsToEnd() const {
+        for (std::size_t from = 0; from <= begin_; ++from) {
+            if (from != end_ && distance(placeOf(from), arriving_.position) >= kMeetM &&
+                fits({.from = from, .to = end_})) {
+                return true;
+            }
+        }
+        return false;
     }
 
     Curve lineTo(std::size_t last) const {

@@ -223,6 +223,33 @@ private slots:
         QVERIFY(!way || (way->length().si() > 18.0 && way->length().si() < 22.0));
     }
 
+    // Beside an edge a machine of 1 m by 1 m with its middle 0.55 m from it cannot turn, so it gets there
+    // only along the edge: from a corner of a pole, or straight from the start.
+    void besideAnEdge_data() {
+        QTest::addColumn<Pose>("to");
+        QTest::addColumn<bool>("hasWay");
+        QTest::newRow("along the edge") << test::pose(40.0, 0.55, 0.0) << true;
+        QTest::newRow("across it") << test::pose(40.0, 0.55, 45.0) << false;
+        QTest::newRow("across it, farther off") << test::pose(40.0, 0.75, 45.0) << true;
+    }
+    void besideAnEdge() {
+        QFETCH(Pose, to);
+        QFETCH(bool, hasWay);
+        const Machine machine = robot(1.0);
+        MultiPolygon inside{test::rectangle(60.0, 60.0)};
+        for (double x = 5.0; x < 50.0; x += 5.0) {
+            for (double y = 5.0; y < 50.0; y += 5.0) {
+                const Polygon pole = test::rectangle(1.0, 1.0, {x, y});
+                inside.front().holes.emplace_back(pole.outer.rbegin(), pole.outer.rend());
+            }
+        }
+        const Rig rig{inside, machine};
+        const StraightWays ways{inside, rig, {}};
+        const auto way = ways.between(test::pose(3.0, 0.55, 0.0), to, {}, {});
+        QCOMPARE(way.has_value(), hasWay);
+        QVERIFY(!way || rig.driven(Rig::inLine(way->start), *way));
+    }
+
     void stopsWhenAsked() {
         const Machine machine = robot(0.1);
         const MultiPolygon inside = withBlock();
