@@ -9,10 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -60,8 +63,17 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kEscapeStepM = 0.2;
 constexpr int kMostEscapeSteps = 90;
 constexpr double kEscapeShares[] = {1.0, 0.5, 0.25, 0.125, 0.06, 0.03, 0.015, 0.008, 0.0};
+// After so many moves without a way the search looks whether any move leads to the goal from places this far
+// from it. It looks at a few places, with these shares of a move: some goals are in corners that a machine
+// gets into only by a hair's breadth.
+constexpr std::size_t kMovesBeforeLook = 60;
+constexpr double kAwayRadii = 2.0;
+constexpr std::size_t kMostPlacesLookedAt = 40;
+constexpr double kLookedAtShares[] = {1.0, 0.5, 0.25};
 // It is free if it can turn by this angle on full lock.
 constexpr double kFreeRad = 0.5;
+// Ways to one place that differ by less take the same time.
+constexpr double kSameTimeS = 1e-9;
 
 /// A way out from beside an edge. A way in is the same, driven backwards in time.
 struct Escape {
@@ -78,12 +90,31 @@ std::vector<CurvePiece> backInTime(std::vector<CurvePiece> pieces) {
     return pieces;
 }
 
+/// Most places that moves lead to are never gone on from. What is dear about a place is found out when the
+/// search comes to it: the way in free space, and whether the machine stays inside on the move.
 struct Node {
-    RigState state;
-    std::vector<CurvePiece> pieces;  ///< that led to this node
+    enum class Standing : std::uint8_t {
+        Unknown,
+        Open,     ///< the move stays inside, and nothing before it led there as quickly
+        Refused,  ///< the move leads outside, or is not the quickest
+    };
+
+    RigState state;  ///< the implement's heading once it stands
+    std::size_t firstPiece = 0;
+    std::size_t endPiece = 0;  ///< of the pieces that led to this node
     std::size_t before = 0;
     double timeS = 0.0;   ///< with every stretch weighted by the cost of its place
     double plainS = 0.0;  ///< the same without weights
+    double gridWayM = 0.0;
+    std::optional<double> freeWayM;
+    FootprintRoom room;  ///< once moves start there
+    Standing standing = Standing::Unknown;
+};
+
+/// The nodes in one place of the search, by number.
+struct Reached {
+    std::vector<std::size_t> open;
+    std::vector<std::size_t> unknown;  ///< ascending
 };
 
 class Search {
@@ -110,7 +141,7 @@ public:
                 cellM_,
                 scope.clear ? 0.5 * machine_.turningWidth() : Length{},
                 scope.mostCells} {
-        nodes_.push_back({.state = Rig::inLine(from), .pieces = {}});
+        nodes_.push_back({.state = Rig::inLine(from)});
         ends_.push_back({.pieces = {}, .end = to});
     }
 
@@ -123,17 +154,17 @@ public:
         if (!out || !in) {
             return std::nullopt;
         }
-        push(0);
-        for (Escape& escape : *out) {
-            double timeS = 0.0;
-            Node node{.state = Rig::inLine(escape.end), .pieces = std::move(escape.pieces)};
-            for (const CurvePiece& piece : node.pieces) {
-                timeS += secondsOf(piece, nullptr);
+        start(0);
+        for (const Escape& escape : *out) {
+            Node node{.state = Rig::inLine(escape.end), .firstPiece = pieces_.size()};
+            for (const CurvePiece& piece : escape.pieces) {
+                node.timeS += secondsOf(piece, nullptr);
+                pieces_.push_back(piece);
             }
-            node.timeS = timeS;
-            node.plainS = timeS;
-            nodes_.push_back(std::move(node));
-            push(nodes_.size() - 1);
+            node.endPiece = pieces_.size();
+            node.plainS = node.timeS;
+            nodes_.push_back(node);
+            start(nodes_.size() - 1);
         }
         for (Escape& escape : *in) {
             ends_.push_back({.pieces = backInTime(std::move(escape.pieces)), .end = escape.end});
@@ -142,22 +173,30 @@ public:
         const std::size_t most = effort == SearchEffort::Quick ? kMostMovesQuick
                                  : rig_.hasTrailer()           ? kMostMovesTrailed
                                                                : kMostMoves;
-        for (std::size_t moves = 0; !open_.empty() && moves < most; ++moves) {
+        for (std::size_t moves = 0; moves < most && findNext(); ++moves) {
             const auto [priority, index] = open_.top();
             // A way over dear places does not stop the search.
             const bool isGood = best_ && bestS_ < kDearWay * bestPlainS_;
             if (best_ && (priority >= bestS_ || (isGood && --movesLeft == 0))) {
                 break;
             }
+            if (moves == kMovesBeforeLook && !best_ && !canComeToGoal()) {
+                isGoalShut_ = true;
+                return std::nullopt;
+            }
             if (moves % 64 == 0 && job_.stopRequested()) {
                 return std::nullopt;
             }
             open_.pop();
-            if (nodes_[index].timeS > reached_[keyOf(nodes_[index])] + 1e-9) {
+            Node& node = nodes_[index];
+            const auto isOvertaken = [&](std::size_t other) {
+                return nodes_[other].timeS < node.timeS - kSameTimeS;
+            };
+            if (std::ranges::any_of(reached_[keyOf(node)].open, isOvertaken)) {
                 continue;
             }
-            room_ = rig_.roomAt(nodes_[index].state);
-            const bool isNear = freeWayM(nodes_[index].state.tractor) < kNearRadii * radiusM_;
+            node.room = rig_.roomAt(node.state);
+            const bool isNear = *node.freeWayM < kNearRadii * radiusM_;
             if (isNear || moves % kShotEvery == 0) {
                 shoot(index);
             }
@@ -168,22 +207,29 @@ public:
 
     double cellM() const { return cellM_; }
     bool isGridSpent() const { return grid_.isSpent(); }
+    /// No move leads to the goal.
+    bool isGoalShut() const { return isGoalShut_; }
 
 private:
     using Key = std::uint64_t;
 
-    Key keyOf(const Node& node) const {
+    Key keyOf(const Node& node) const { return keyOf(node.state.tractor, lastPiece(node)); }
+
+    /// @param last  that led there; null at the start
+    Key keyOf(const Pose& pose, const CurvePiece* last) const {
         const double cellM = 0.5 * kMoveRad * radiusM_;
         const auto x =
-            static_cast<std::int64_t>(std::floor((node.state.tractor.position.x - to_.position.x) / cellM)) &
-            0xFFFFFF;
+            static_cast<std::int64_t>(std::floor((pose.position.x - to_.position.x) / cellM)) & 0xFFFFFF;
         const auto y =
-            static_cast<std::int64_t>(std::floor((node.state.tractor.position.y - to_.position.y) / cellM)) &
-            0xFFFFFF;
-        const double turns = node.state.tractor.heading.si() / (2.0 * std::numbers::pi);
+            static_cast<std::int64_t>(std::floor((pose.position.y - to_.position.y) / cellM)) & 0xFFFFFF;
+        const double turns = pose.heading.si() / (2.0 * std::numbers::pi);
         const auto heading = static_cast<Key>((turns - std::floor(turns)) * kHeadings) % kHeadings;
         return static_cast<Key>(x) << 40U | static_cast<Key>(y) << 16U | heading << 1U |
-               (!node.pieces.empty() && node.pieces.back().gear == Gear::Reverse ? 1U : 0U);
+               (last != nullptr && last->gear == Gear::Reverse ? 1U : 0U);
+    }
+
+    const CurvePiece* lastPiece(const Node& node) const {
+        return node.endPiece > node.firstPiece ? &pieces_[node.endPiece - 1] : nullptr;
     }
 
     const Pose& from() const { return nodes_.front().state.tractor; }
@@ -237,6 +283,49 @@ private:
         return false;
     }
 
+    /// Whether moves lead from farther away to the goal. They are driven backwards in time, which only a
+    /// machine without a trailed implement can.
+    bool canComeToGoal() const {
+        if (rig_.hasTrailer()) {
+            return true;
+        }
+        std::vector<RigState> places;
+        std::priority_queue<std::pair<double, std::size_t>> farthestFirst;
+        std::unordered_set<Key> seen;
+        const auto add = [&](const RigState& state, const CurvePiece* piece) {
+            if (seen.insert(keyOf(state.tractor, piece)).second) {
+                farthestFirst.emplace(distance(state.tractor.position, to_.position), places.size());
+                places.push_back(state);
+            }
+        };
+        for (const Escape& end : ends_) {
+            add(Rig::inLine(end.end), nullptr);
+        }
+        for (std::size_t looked = 0; !farthestFirst.empty(); ++looked) {
+            const auto [awayM, index] = farthestFirst.top();
+            if (looked == kMostPlacesLookedAt || awayM >= kAwayRadii * radiusM_) {
+                return true;
+            }
+            farthestFirst.pop();
+            const RigState place = places[index];
+            const FootprintRoom room = rig_.roomAt(place);
+            for (const Gear gear : {Gear::Reverse, Gear::Forward}) {
+                if (gear == Gear::Forward && !reverses_) {
+                    break;
+                }
+                for (const double curvature : {-1.0 / radiusM_, 0.0, 1.0 / radiusM_}) {
+                    for (const double share : kLookedAtShares) {
+                        const CurvePiece piece = pieceOf(gear, curvature, share * kMoveRad * radiusM_);
+                        if (const auto next = rig_.driven(place, piece, metres(kContactM), room)) {
+                            add(*next, &piece);
+                        }
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
     std::optional<Escape> escapeTo(RigState state, Gear gear, double side) const {
         Escape escape;
         for (int i = 0; i < kMostEscapeSteps; ++i) {
@@ -276,46 +365,99 @@ private:
         return meanCost(travel_, from, piece, metres(radiusM_));
     }
 
-    void push(std::size_t index) {
-        const Node& node = nodes_[index];
-        const double byGrid = grid_.from(node.state.tractor.position, mostWayM_);
-        if (byGrid == kInfinite) {
+    /// A first guess of the time to the goal via a node: the way in free space, which is dear, is not in it
+    /// before the node comes up.
+    double priorityOf(const Node& node) const {
+        const double leftM = std::max(node.freeWayM.value_or(0.0), node.gridWayM);
+        return node.timeS + greed_ * leftM / forwardMps_;
+    }
+
+    /// One of the nodes that the search starts from.
+    void start(std::size_t index) {
+        Node& node = nodes_[index];
+        node.gridWayM = grid_.from(node.state.tractor.position, mostWayM_);
+        if (node.gridWayM == kInfinite) {
             return;
         }
-        const double leftM = std::max(freeWayM(node.state.tractor), byGrid);
-        reached_[keyOf(node)] = node.timeS;
-        open_.push({node.timeS + greed_ * leftM / forwardMps_, index});
+        node.standing = Node::Standing::Open;
+        reached_[keyOf(node)] = {.open = {index}, .unknown = {}};
+        open_.push({priorityOf(node), index});
+    }
+
+    /// Takes nodes off the list until the next one stands, and is the next by its way in free space, too.
+    /// False if there is none.
+    bool findNext() {
+        while (!open_.empty()) {
+            const auto [priority, index] = open_.top();
+            if (priority >= bestS_) {
+                return true;
+            }
+            Node& node = nodes_[index];
+            if (node.standing == Node::Standing::Unknown) {
+                settle(reached_[keyOf(node)], node.timeS);
+            }
+            if (node.standing == Node::Standing::Open && node.freeWayM) {
+                return true;
+            }
+            open_.pop();
+            if (node.standing == Node::Standing::Open) {
+                node.freeWayM = freeWayM(node.state.tractor);
+                open_.push({priorityOf(node), index});
+            }
+        }
+        return false;
+    }
+
+    /// Finds out which of the nodes in a place stand, if they took at most `mostS`.
+    void settle(Reached& place, double mostS) {
+        std::erase_if(place.unknown, [&](std::size_t index) {
+            Node& node = nodes_[index];
+            if (node.timeS > mostS) {
+                return false;
+            }
+            const bool isBeaten = std::ranges::any_of(place.open, [&](std::size_t other) {
+                return other < index && nodes_[other].timeS <= node.timeS;
+            });
+            const Node& before = nodes_[node.before];
+            const auto state =
+                isBeaten ? std::nullopt
+                         : rig_.driven(before.state, *lastPiece(node), metres(kContactM), before.room);
+            node.standing = state ? Node::Standing::Open : Node::Standing::Refused;
+            if (state) {
+                node.state = *state;
+                place.open.push_back(index);
+            }
+            return true;
+        });
     }
 
     void expand(std::size_t index) {
         const Node node = nodes_[index];
+        const std::optional<CurvePiece> last =
+            lastPiece(node) != nullptr ? std::optional{*lastPiece(node)} : std::nullopt;
         const auto move = [&](Gear gear, double curvature, double lengthM) {
             const CurvePiece piece = pieceOf(gear, curvature, lengthM);
-            const CurvePiece* const last = node.pieces.empty() ? nullptr : &node.pieces.back();
-            const double plainS = secondsOf(piece, last);
-            Node next{.state = {},
-                      .pieces = {piece},
+            const double plainS = secondsOf(piece, last ? &*last : nullptr);
+            const Pose end = advanced(node.state.tractor, piece, piece.length);
+            Node next{.state = Rig::inLine(end),
+                      .firstPiece = pieces_.size(),
+                      .endPiece = pieces_.size() + 1,
                       .before = index,
                       .timeS = node.timeS + costAlong(node.state.tractor, piece) * plainS,
                       .plainS = node.plainS + plainS};
-            const Pose end = advanced(node.state.tractor, piece, piece.length);
-            next.state.tractor = end;
-            const auto known = reached_.find(keyOf(next));
-            if (known != reached_.end() && known->second <= next.timeS) {
-                return;
-            }
+            pieces_.push_back(piece);
+            Reached& place = reached_[keyOf(next)];
+            const bool isBeaten = std::ranges::any_of(
+                place.open, [&](std::size_t other) { return nodes_[other].timeS <= next.timeS; });
+            next.gridWayM = isBeaten ? kInfinite : grid_.from(end.position, mostWayM_);
             // Not quicker than the way that was found, or no way on.
-            const double leftM = grid_.from(end.position, mostWayM_);
-            if (next.timeS + leftM / forwardMps_ >= bestS_) {
+            if (next.timeS + next.gridWayM / forwardMps_ >= bestS_) {
+                pieces_.pop_back();
                 return;
             }
-            const auto state = rig_.driven(node.state, piece, metres(kContactM), room_);
-            if (!state) {
-                return;
-            }
-            next.state = *state;
-            nodes_.push_back(std::move(next));
-            push(nodes_.size() - 1);
+            place.unknown.push_back(nodes_.size());
+            open_.push({priorityOf(next), nodes_.size()});
+            nodes_.push_back(next);
         };
         const double shortM = kMoveRad * radiusM_;
         for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
@@ -348,7 +490,7 @@ private:
             rest.pieces.insert(rest.pieces.end(), end.pieces.begin(), end.pieces.end());
             double timeS = node.timeS;
             double plainS = node.plainS;
-            const CurvePiece* before = node.pieces.empty() ? nullptr : &node.pieces.back();
+            const CurvePiece* before = lastPiece(node);
             Pose pose = rest.start;
             for (const CurvePiece& piece : rest.pieces) {
                 const double pieceS = secondsOf(piece, before);
@@ -365,7 +507,7 @@ private:
                 .type = rest.type,
                 .start = rest.start,
                 .pieces = {rest.pieces.begin(), rest.pieces.begin() + static_cast<std::ptrdiff_t>(checked)}};
-            if (rig_.driven(node.state, open, room_)) {
+            if (rig_.driven(node.state, open, node.room)) {
                 bestS_ = timeS;
                 bestPlainS_ = plainS;
                 best_ = joined(index, rest);
@@ -383,7 +525,10 @@ private:
     Curve joined(std::size_t index, const Curve& rest) const {
         Curve turn{.type = kCombinedTurn, .start = nodes_.front().state.tractor, .pieces = {}};
         for (std::size_t i = index; i != 0; i = nodes_[i].before) {
-            turn.pieces.insert(turn.pieces.end(), nodes_[i].pieces.rbegin(), nodes_[i].pieces.rend());
+            const auto first = pieces_.begin() + static_cast<std::ptrdiff_t>(nodes_[i].firstPiece);
+            const auto end = pieces_.begin() + static_cast<std::ptrdiff_t>(nodes_[i].endPiece);
+            turn.pieces.insert(turn.pieces.end(), std::make_reverse_iterator(end),
+                               std::make_reverse_iterator(first));
         }
         std::ranges::reverse(turn.pieces);
         turn.pieces.insert(turn.pieces.end(), rest.pieces.begin(), rest.pieces.end());
@@ -419,22 +564,24 @@ private:
     double mostWayM_ = 0.0;
     double greed_ = kGreed;
     std::vector<Node> nodes_;
-    FootprintRoom room_;  ///< at the current node
-    std::unordered_map<Key, double> reached_;
+    std::vector<CurvePiece> pieces_;
+    std::unordered_map<Key, Reached> reached_;
     std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>,
                         std::greater<>>
         open_;
     std::optional<Curve> best_;
     double bestS_ = kInfinite;
     double bestPlainS_ = kInfinite;
+    bool isGoalShut_ = false;
 };
 
 }  // namespace
 
 std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to,
                                      const TravelCost& travel, const JobContext& job, SearchEffort effort) {
-    auto way = Search{rig, from, to, travel, job, kNear}.run(effort);
-    if (way || effort != SearchEffort::Thorough || job.stopRequested()) {
+    Search near{rig, from, to, travel, job, kNear};
+    auto way = near.run(effort);
+    if (way || effort != SearchEffort::Thorough || near.isGoalShut() || job.stopRequested()) {
         return way;
     }
     // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.

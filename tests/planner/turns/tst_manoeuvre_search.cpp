@@ -17,6 +17,8 @@
 #include <numbers>
 #include <random>
 #include <stop_token>
+#include <string>
+#include <utility>
 
 using namespace furrow;
 
@@ -240,6 +242,34 @@ private slots:
         QVERIFY2(fault.isEmpty(), fault);
     }
 
+    // Into a pocket beside a lane, 2 m deep, and out of it again. The machine is 2.4 m long and 1.5 m wide
+    // and turns within 2 m: with less than twice its length it would take very many moves.
+    void intoAPocket_data() {
+        QTest::addColumn<double>("lengthM");
+        QTest::addColumn<bool>("fits");
+        QTest::newRow("its own length") << 2.5 << false;
+        QTest::newRow("a metre more") << 3.5 << false;
+        QTest::newRow("longer than two machines") << 5.0 << true;
+        QTest::newRow("longer than three machines") << 8.0 << true;
+    }
+    void intoAPocket() {
+        QFETCH(double, lengthM);
+        QFETCH(bool, fits);
+        const double endM = 20.0 + lengthM;
+        const MultiPolygon inside{
+            {.outer = {{0, 0}, {20, 0}, {20, -2.0}, {endM, -2.0}, {endM, 0}, {50, 0}, {50, 8}, {0, 8}},
+             .holes = {}}};
+        const Machine machine = robot();
+        const Pose lane = test::pose(10.0, 4.0, 0.0);
+        const Pose pocket = test::pose(20.0 + 0.5 * lengthM, -1.0, 0.0);
+        const Walls walls{inside};
+        for (const auto& [from, to] : {std::pair{lane, pocket}, std::pair{pocket, lane}}) {
+            const auto way = found(inside, machine, from, to);
+            QCOMPARE(way.has_value(), fits);
+            QCOMPARE(way ? faultOf(*way, from, to, machine, walls) : QByteArray{}, QByteArray{});
+        }
+    }
+
     void nothingWhereThereIsNoWay_data() {
         QTest::addColumn<QString>("wkt");
         QTest::newRow("two rooms")
@@ -270,7 +300,7 @@ private slots:
         for (const test::Shape shape : {test::Shape::Convex, test::Shape::Concave, test::Shape::Holes}) {
             int machine = 0;
             for (const char* name : {"robot", "forwards only", "drill"}) {
-                QTest::addRow("%s, %s", test::shapeName(shape).data(), name)
+                QTest::addRow("%s, %s", std::string{test::shapeName(shape)}.c_str(), name)
                     << static_cast<int>(shape) << machine++ << 20;
             }
         }
