@@ -26,6 +26,8 @@ namespace furrow {
 namespace {
 
 constexpr std::string_view kSqliteMagic = "SQLite format 3";
+constexpr std::string_view kBinaryDrawing = "AutoCAD Binary DXF";
+constexpr std::string_view kDrawingComment = "999";
 
 // The tables of a GeoPackage and of its drivers.
 constexpr std::string_view kOwnNames[] = {"gpkg_", "ogr_", "rtree_", "sqlite_"};
@@ -169,10 +171,32 @@ Result<void> checkViews(const VectorSource& source, std::string_view start) {
                                               "export it as a table, or remove it"));
 }
 
+/// The reader of drawings (GDAL 3.10) waits for ever for the line feed after a carriage return that is the
+/// file's last character, or stands before a zero. After the last line of all it does not look for one.
+Result<void> checkDrawing(const VectorSource& source, std::string_view start) {
+    const std::string_view text = trimmed(start);
+    const bool begins = text.starts_with("0") || text.starts_with(kDrawingComment);
+    const bool isDrawing =
+        extensionInSmallLetters(source.path) == ".dxf" || (begins && text.contains("SECTION"));
+    if (!isDrawing || text.starts_with(kBinaryDrawing)) {
+        return {};
+    }
+    return systemFileBytes(source.path, source.name).and_then([&](const std::string& all) -> Result<void> {
+        const bool isCutOff = all.ends_with('\r') && !all.ends_with("EOF\r");
+        return !isCutOff && !all.contains(std::string_view{"\r\0", 2})
+                   ? Result<void>{}
+                   : std::unexpected(
+                         readFailed(source.name, "the file is damaged", "export or copy it again"));
+    });
+}
+
 Result<void> readSource(const VectorSource& source, const VectorReading& reading) {
     GdalMessages messages;
     const std::string start = systemFileStart(source.path, source.name, 4096).value_or("");
-    if (const auto checked = checkSize(source, start).and_then([&] { return checkViews(source, start); });
+    if (const auto checked =
+            checkSize(source, start).and_then([&] { return checkViews(source, start); }).and_then([&] {
+                return checkDrawing(source, start);
+            });
         !checked) {
         return checked;
     }

@@ -73,6 +73,14 @@ void row(const char* name, const char* file, const QByteArray& content, bool unr
 void addWhatIsNoBoundaryFile() {
     row("empty file", "f.geojson", "", false, "f.geojson: the file is empty");
     row("blanks only", "f.geojson", "   \n", true, "no boundary");
+    // GDAL 3.10 would wait for the rest of these lines for ever.
+    row("drawing cut off within a line end", "f_EPSG32632.dxf",
+        "  0\r\nSECTION\r\n  2\r\nHEADER\r\n  9\r\n$ACADVER\r\n  1\r\nAC1009\r", true, "the file is damaged");
+    row("the same under another name", "f_EPSG32632.txt",
+        "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\r", true, "the file is damaged");
+    row("drawing with a zero within a line end", "f_EPSG32632.dxf",
+        QByteArray{"  0\nSECTION\n  2\nENTITIES\n  0\nPOLYLINE\n  8\nA\r"} + QByteArray(1, '\0') + "\nB\n",
+        true, "the file is damaged");
     row("picture", "f.geojson", QByteArray{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16}, true,
         "the picture cannot be read");
     row("shapefile in name only", "f.shp", "POINT and nothing else", true, "f.shp");
