@@ -4,7 +4,11 @@
 #include "planner/geometry/segment.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace furrow {
 
@@ -29,39 +33,71 @@ std::vector<Point> pointsAlong(const Polyline& line) {
     return points;
 }
 
-/// The tracks of tractor and implement in one segment.
-class Track {
+Bounds boxAround(std::span<const Point> points) {
+    return bounds({{.outer = {points.begin(), points.end()}, .holes = {}}});
+}
+
+bool isNear(const Bounds& box, Point point, double near) {
+    return point.x > box.min.x - near && point.x < box.max.x + near && point.y > box.min.y - near &&
+           point.y < box.max.y + near;
+}
+
+/// A line of many points, with a box around every few of its edges.
+class BoxedLine {
 public:
-    explicit Track(const SegmentMotion& motion) {
-        for (const MotionState& state : motion.states) {
-            tractor_.push_back(state.position);
-            implement_.push_back(state.implement);
+    explicit BoxedLine(std::vector<Point> points) : points_{std::move(points)}, all_{boxAround(points_)} {
+        for (std::size_t first = 0; first + 1 < points_.size(); first += kEdges) {
+            const std::size_t end = std::min(first + kEdges + 1, points_.size());
+            boxes_.push_back(boxAround(std::span{points_}.subspan(first, end - first)));
         }
-        box_ = bounds({{.outer = tractor_, .holes = {}}});
-        const Bounds behind = bounds({{.outer = implement_, .holes = {}}});
-        box_.min = {std::min(box_.min.x, behind.min.x), std::min(box_.min.y, behind.min.y)};
-        box_.max = {std::max(box_.max.x, behind.max.x), std::max(box_.max.y, behind.max.y)};
     }
 
     bool passes(Point point, double near) const {
-        return point.x > box_.min.x - near && point.x < box_.max.x + near && point.y > box_.min.y - near &&
-               point.y < box_.max.y + near &&
-               (comesNear(implement_, point, near) || comesNear(tractor_, point, near));
-    }
-
-private:
-    static bool comesNear(const std::vector<Point>& line, Point point, double near) {
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            if (squaredDistanceToSegment(point, {line[i - 1], line[i]}) <= near * near) {
+        for (std::size_t box = 0; isNear(all_, point, near) && box < boxes_.size(); ++box) {
+            if (isNear(boxes_[box], point, near) && comesNear(box * kEdges, point, near)) {
                 return true;
             }
         }
         return false;
     }
 
-    std::vector<Point> tractor_;
-    std::vector<Point> implement_;
-    Bounds box_;
+private:
+    static constexpr std::size_t kEdges = 16;
+
+    bool comesNear(std::size_t first, Point point, double near) const {
+        for (std::size_t i = first + 1; i < std::min(first + kEdges + 1, points_.size()); ++i) {
+            if (squaredDistanceToSegment(point, {points_[i - 1], points_[i]}) <= near * near) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    std::vector<Point> points_;
+    Bounds all_;
+    std::vector<Bounds> boxes_;
+};
+
+/// The tracks of tractor and implement in one segment.
+class Track {
+public:
+    explicit Track(const SegmentMotion& motion)
+        : tractor_{placesOf(motion, &MotionState::position)},
+          implement_{placesOf(motion, &MotionState::implement)} {}
+
+    bool passes(Point point, double near) const {
+        return implement_.passes(point, near) || tractor_.passes(point, near);
+    }
+
+private:
+    static std::vector<Point> placesOf(const SegmentMotion& motion, Point MotionState::* place) {
+        std::vector<Point> places;
+        std::ranges::transform(motion.states, std::back_inserter(places), place);
+        return places;
+    }
+
+    BoxedLine tractor_;
+    BoxedLine implement_;
 };
 
 }  // namespace
