@@ -408,6 +408,12 @@ private:
         return false;
     }
 
+    /// Whether a node that stands, made before this one, was there as quickly.
+    bool isBeaten(const Reached& place, std::size_t index, double timeS) const {
+        return std::ranges::any_of(
+            place.open, [&](std::size_t other) { return other < index && nodes_[other].timeS <= timeS; });
+    }
+
     /// Finds out which of the nodes in a place stand, if they took at most `mostS`.
     void settle(Reached& place, double mostS) {
         std::erase_if(place.unknown, [&](std::size_t index) {
@@ -415,13 +421,11 @@ private:
             if (node.timeS > mostS) {
                 return false;
             }
-            const bool isBeaten = std::ranges::any_of(place.open, [&](std::size_t other) {
-                return other < index && nodes_[other].timeS <= node.timeS;
-            });
             const Node& before = nodes_[node.before];
             const auto state =
-                isBeaten ? std::nullopt
-                         : rig_.driven(before.state, *lastPiece(node), metres(kContactM), before.room);
+                isBeaten(place, index, node.timeS)
+                    ? std::nullopt
+                    : rig_.driven(before.state, *lastPiece(node), metres(kContactM), before.room);
             node.standing = state ? Node::Standing::Open : Node::Standing::Refused;
             if (state) {
                 node.state = *state;
@@ -437,27 +441,29 @@ private:
             lastPiece(node) != nullptr ? std::optional{*lastPiece(node)} : std::nullopt;
         const auto move = [&](Gear gear, double curvature, double lengthM) {
             const CurvePiece piece = pieceOf(gear, curvature, lengthM);
-            const double plainS = secondsOf(piece, last ? &*last : nullptr);
             const Pose end = advanced(node.state.tractor, piece, piece.length);
-            Node next{.state = Rig::inLine(end),
-                      .firstPiece = pieces_.size(),
-                      .endPiece = pieces_.size() + 1,
-                      .before = index,
-                      .timeS = node.timeS + costAlong(node.state.tractor, piece) * plainS,
-                      .plainS = node.plainS + plainS};
-            pieces_.push_back(piece);
-            Reached& place = reached_[keyOf(next)];
-            const bool isBeaten = std::ranges::any_of(
-                place.open, [&](std::size_t other) { return nodes_[other].timeS <= next.timeS; });
-            next.gridWayM = isBeaten ? kInfinite : grid_.from(end.position, mostWayM_);
-            // Not quicker than the way that was found, or no way on.
-            if (next.timeS + next.gridWayM / forwardMps_ >= bestS_) {
-                pieces_.pop_back();
+            const double plainS = secondsOf(piece, last ? &*last : nullptr);
+            const double timeS = node.timeS + costAlong(node.state.tractor, piece) * plainS;
+            const std::size_t number = nodes_.size();
+            Reached& place = reached_[keyOf(end, &piece)];
+            if (isBeaten(place, number, timeS)) {
                 return;
             }
-            place.unknown.push_back(nodes_.size());
-            open_.push({priorityOf(next), nodes_.size()});
-            nodes_.push_back(next);
+            // Not quicker than the way that was found, or no way on.
+            const double gridWayM = grid_.from(end.position, mostWayM_);
+            if (timeS + gridWayM / forwardMps_ >= bestS_) {
+                return;
+            }
+            nodes_.push_back({.state = Rig::inLine(end),
+                              .firstPiece = pieces_.size(),
+                              .endPiece = pieces_.size() + 1,
+                              .before = index,
+                              .timeS = timeS,
+                              .plainS = node.plainS + plainS,
+                              .gridWayM = gridWayM});
+            pieces_.push_back(piece);
+            place.unknown.push_back(number);
+            open_.push({priorityOf(nodes_.back()), number});
         };
         const double shortM = kMoveRad * radiusM_;
         for (const Gear gear : {Gear::Forward, Gear::Reverse}) {
