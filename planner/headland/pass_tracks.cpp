@@ -147,7 +147,7 @@ Result<std::vector<Ring>> roundedRing(const Ring& ring, bool isHole, Length radi
     Polygon side{.outer = ring, .holes = {}};
     if (isHole) {
         // From outside: in a frame far enough away to have no effect.
-        const Bounds box = bounds({side});
+        const Bounds box = bounds(side);
         const Point away{8.0 * radius.si(), 8.0 * radius.si()};
         const Point low = box.min - away;
         const Point high = box.max + away;
@@ -291,7 +291,7 @@ Result<MultiPolygon> alongEdges(const MultiPolygon& region, const AllowedAreas& 
     }
     // In places that are too narrow, the line along the edges crosses itself.
     const bool isWhole = along->givenUp == 0 && along->lines.size() == straight->lines.size();
-    return isWhole ? std::move(*followed) : region;
+    return isWhole ? std::move(followed) : region;
 }
 
 /// The distance that tail or nose reach from the axle. It is the scale on which a swing-out is prepared.

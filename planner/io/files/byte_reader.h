@@ -1,10 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 
 namespace furrow {
@@ -18,13 +19,10 @@ public:
 
     template <std::integral T>
     T integer() {
-        T value{};
-        const std::string_view raw = take(sizeof(T));
-        if (raw.size() == sizeof(T)) {
-            std::memcpy(&value, raw.data(), sizeof(T));
-            value = order_ == std::endian::native ? value : std::byteswap(value);
-        }
-        return value;
+        std::array<char, sizeof(T)> raw{};
+        std::ranges::copy(take(sizeof(T)), raw.begin());
+        const T value = std::bit_cast<T>(raw);
+        return order_ == std::endian::native ? value : std::byteswap(value);
     }
     double real() { return std::bit_cast<double>(integer<std::uint64_t>()); }
 
