@@ -827,7 +827,7 @@
     </message>
     <message>
         <source>Make a field from a recorded track…</source>
-        <translation>Schlag aus einer Aufzeichnung machen…</translation>
+        <translation>Schlag aus einer Aufzeichnung machen …</translation>
     </message>
     <message>
         <source>boundary driven recorded GPX NMEA log drive around</source>
@@ -1089,7 +1089,7 @@
     </message>
     <message>
         <source>New folder…</source>
-        <translation>Neuer Ordner…</translation>
+        <translation>Neuer Ordner …</translation>
     </message>
     <message>
         <source>“%1” is already there. Write over it?</source>
@@ -2419,6 +2419,10 @@
         <translation>%1 für den Transport ist breiter als die Maschine bei der Arbeit, %2</translation>
     </message>
     <message>
+        <source>%1 holds no positions</source>
+        <translation>%1 enthält keine Positionen</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 an einem Stück werden nicht bearbeitet.</translation>
     </message>
@@ -2479,8 +2483,20 @@
         <translation>%1 von %2 Spuren fehlen in der Reihenfolge: %3</translation>
     </message>
     <message>
+        <source>%1 of %2 tracks are of another place and were left out</source>
+        <translation>%1 von %2 Aufzeichnungen sind von anderswo und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 of its sentences have a wrong checksum</source>
+        <translation>%1 ihrer Sätze haben eine falsche Prüfsumme</translation>
+    </message>
+    <message>
         <source>%1 of margin leaves nothing of the field to work</source>
         <translation>bei %1 Sicherheitsabstand bleibt vom Schlag nichts zu bearbeiten</translation>
+    </message>
+    <message>
+        <source>%1 of the positions jump away and back</source>
+        <translation>%1 der Positionen springen weg und zurück</translation>
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
@@ -2493,6 +2509,10 @@
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
         <translation>%1 Spuren und Wendungen verlassen den Schlag oder queren ein Hindernis, um bis zu %2, wie in diesem Plan erlaubt.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more than 1,000 km from the plan</source>
+        <translation>%1, %2 ist mehr als 1.000 km vom Plan entfernt</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2511,6 +2531,14 @@
         <translation>%1, %2, Zeile %3</translation>
     </message>
     <message>
+        <source>%1, %2, point %3</source>
+        <translation>%1, %2, Punkt %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, Byte %2</translation>
+    </message>
+    <message>
         <source>%1, feature %2</source>
         <translation>%1, Objekt %2</translation>
     </message>
@@ -2523,6 +2551,10 @@
         <translation>%1, Aussparung %2</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
         <source>%1, obstacle %2</source>
         <translation>%1, Hindernis %2</translation>
     </message>
@@ -2533,6 +2565,10 @@
     <message>
         <source>%1, row %2</source>
         <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1.bin is not there</source>
+        <translation>%1.bin fehlt</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2565,6 +2601,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n damaged lines were passed over</source>
+        <translation>
+            <numerusform>%n beschädigte Zeile wurde übergangen</numerusform>
+            <numerusform>%n beschädigte Zeilen wurden übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
             <numerusform>%n Eintrag ohne Form</numerusform>
@@ -2576,6 +2619,13 @@
         <translation>
             <numerusform>%n Schlag</numerusform>
             <numerusform>%n Schläge</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n messages without a position were passed over</source>
+        <translation>
+            <numerusform>%n Nachricht ohne Position wurde übergangen</numerusform>
+            <numerusform>%n Nachrichten ohne Position wurden übergangen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2621,6 +2671,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n positions that jumped away were left out</source>
+        <translation>
+            <numerusform>%n Position, die wegsprang, wurde weggelassen</numerusform>
+            <numerusform>%n Positionen, die wegsprangen, wurden weggelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n records without a position were passed over</source>
+        <translation>
+            <numerusform>%n Eintrag ohne Position wurde übergangen</numerusform>
+            <numerusform>%n Einträge ohne Position wurden übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reports without a position were passed over</source>
+        <translation>
+            <numerusform>%n Meldung ohne Position wurde übergangen</numerusform>
+            <numerusform>%n Meldungen ohne Position wurden übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n rings did not end where they began and were closed</source>
         <translation>
             <numerusform>%n Ring endete nicht, wo er begann, und wurde geschlossen</numerusform>
@@ -2635,10 +2706,38 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n rows without a position were passed over</source>
+        <translation>
+            <numerusform>%n Zeile ohne Position wurde übergangen</numerusform>
+            <numerusform>%n Zeilen ohne Position wurden übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences with a wrong checksum were passed over</source>
+        <translation>
+            <numerusform>%n Satz mit falscher Prüfsumme wurde übergangen</numerusform>
+            <numerusform>%n Sätze mit falscher Prüfsumme wurden übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences without a position were passed over</source>
+        <translation>
+            <numerusform>%n Satz ohne Position wurde übergangen</numerusform>
+            <numerusform>%n Sätze ohne Position wurden übergangen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n spikes without area were removed</source>
         <translation>
             <numerusform>%n Spitze ohne Fläche wurde entfernt</numerusform>
             <numerusform>%n Spitzen ohne Fläche wurden entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of one strip were left out, as ways to the field: %1 together</source>
+        <translation>
+            <numerusform>%n Stück aus einem einzigen Streifen wurde als Weg zum Feld weggelassen: %1</numerusform>
+            <numerusform>%n Stücke aus einem einzigen Streifen wurden als Wege zum Feld weggelassen: zusammen %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2647,6 +2746,10 @@
             <numerusform>%n Wendung</numerusform>
             <numerusform>%n Wendungen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; files hold no recorded track</source>
+        <translation>„%1“-Dateien enthalten keine aufgezeichnete Fahrt</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
@@ -2679,6 +2782,10 @@
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
         <translation>„%1“, „%2“ ist kein Längen- und Breitengrad</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no position</source>
+        <translation>„%1“, „%2“ ist keine Position</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -4317,6 +4424,22 @@
         <translation>Gezippte Feldgrenze</translation>
     </message>
     <message>
+        <source>a chunk of the recording has a wrong checksum</source>
+        <translation>ein Stück der Aufzeichnung hat eine falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is cut off</source>
+        <translation>ein Stück der Aufzeichnung ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is damaged</source>
+        <translation>ein Stück der Aufzeichnung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a compressed chunk of the recording is damaged</source>
+        <translation>ein gepacktes Stück der Aufzeichnung ist beschädigt</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>eine Koordinate ist keine Zahl</translation>
     </message>
@@ -4341,12 +4464,24 @@
         <translation>eine Maschine ist ein JSON-Objekt</translation>
     </message>
     <message>
+        <source>a message is cut off</source>
+        <translation>eine Nachricht ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a message is not plain CDR</source>
+        <translation>eine Nachricht ist kein einfaches CDR</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>eine Zahl</translation>
     </message>
     <message>
         <source>a number is too large to be read</source>
         <translation>eine Zahl ist zu groß zum Lesen</translation>
+    </message>
+    <message>
+        <source>a part of it states %1 bytes, more than 256 MiB</source>
+        <translation>ein Teil davon soll %1 Byte groß sein, mehr als 256 MiB</translation>
     </message>
     <message>
         <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
@@ -4363,6 +4498,10 @@
     <message>
         <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
         <translation>ein Punkt oder eine Linie in WGS84 wie LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a record of the recording is damaged</source>
+        <translation>ein Eintrag der Aufzeichnung ist beschädigt</translation>
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
@@ -4437,6 +4576,14 @@
         <translation>den Dateipfad prüfen</translation>
     </message>
     <message>
+        <source>check the width and how far the edge lies from the line</source>
+        <translation>die Breite prüfen und wie weit der Rand von der Linie liegt</translation>
+    </message>
+    <message>
+        <source>check the width of the implement, or take the track as driven around the field</source>
+        <translation>die Breite des Geräts prüfen oder die Aufzeichnung als Fahrt um das Feld nehmen</translation>
+    </message>
+    <message>
         <source>choose a narrower headland or a narrower machine</source>
         <translation>ein schmaleres Vorgewende oder eine schmalere Maschine wählen</translation>
     </message>
@@ -4469,8 +4616,16 @@
         <translation>Höhenlinien brauchen Höhen</translation>
     </message>
     <message>
+        <source>copy it again, or mend it with &apos;mcap recover&apos; or sqlite3&apos;s &apos;.recover&apos;</source>
+        <translation>neu kopieren oder mit „mcap recover“ oder „.recover“ von sqlite3 reparieren</translation>
+    </message>
+    <message>
         <source>copy or export it again</source>
         <translation>neu kopieren oder exportieren</translation>
+    </message>
+    <message>
+        <source>copy or export the recording again</source>
+        <translation>die Aufzeichnung neu kopieren oder exportieren</translation>
     </message>
     <message>
         <source>copy the whole folder</source>
@@ -4483,6 +4638,18 @@
     <message>
         <source>correct or delete this point in the file</source>
         <translation>diesen Punkt in der Datei berichtigen oder löschen</translation>
+    </message>
+    <message>
+        <source>correct or remove the line</source>
+        <translation>die Zeile berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>correct or remove the point</source>
+        <translation>den Punkt berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>correct the line, or export the track in WGS84</source>
+        <translation>die Zeile berichtigen oder die Aufzeichnung in WGS84 exportieren</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -4549,6 +4716,10 @@
         <translation>zuerst einen im Fenster zeichnen oder öffnen</translation>
     </message>
     <message>
+        <source>drive on to where the recording began, or take the track as worked land</source>
+        <translation>bis dahin weiterfahren, wo die Aufzeichnung begann, oder sie als bearbeitetes Land nehmen</translation>
+    </message>
+    <message>
         <source>export fewer fields at once</source>
         <translation>weniger Schläge auf einmal exportieren</translation>
     </message>
@@ -4585,6 +4756,10 @@
         <translation>die Schläge noch einmal in einem einzigen Koordinatensystem exportieren</translation>
     </message>
     <message>
+        <source>export the recorded track, not only its waypoints</source>
+        <translation>die aufgezeichnete Fahrt exportieren, nicht nur ihre Wegpunkte</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>Objekt %1</translation>
     </message>
@@ -4617,6 +4792,10 @@
         <translation>0 m oder mehr angeben</translation>
     </message>
     <message>
+        <source>give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2</source>
+        <translation>GPX, CSV, ein Protokoll von NMEA oder gpsd, ISOXML-Auftragsdaten (Ordner, TASKDATA.XML oder ZIP) oder ein rosbag2 angeben</translation>
+    </message>
+    <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
         <translation>GeoJSON, Shapefile (.shp oder .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT oder CSV angeben</translation>
     </message>
@@ -4627,6 +4806,22 @@
     <message>
         <source>give a buffer of 0 m or more</source>
         <translation>einen Abstand von 0 m oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>give a distance up to 50 m</source>
+        <translation>einen Abstand bis 50 m angeben</translation>
+    </message>
+    <message>
+        <source>give a gap up to 100 m</source>
+        <translation>eine Lücke bis 100 m angeben</translation>
+    </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>Plan und Aufzeichnung vom selben Feld angeben</translation>
+    </message>
+    <message>
+        <source>give a width up to 100 m</source>
+        <translation>eine Breite bis 100 m angeben</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
@@ -4785,6 +4980,10 @@
         <translation>den Ordner einer Aufzeichnung angeben</translation>
     </message>
     <message>
+        <source>give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file</source>
+        <translation>den Ordner oder das ZIP mit TASKDATA.XML und den TLG-Dateien, einen Ordner von rosbag2 oder eine Datei angeben</translation>
+    </message>
+    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>die Punkte in Grad (WGS84) angeben, den Längengrad in lon und den Breitengrad in lat</translation>
     </message>
@@ -4795,6 +4994,10 @@
     <message>
         <source>give two points at least 1 m apart</source>
         <translation>zwei Punkte angeben, die mindestens 1 m auseinander liegen</translation>
+    </message>
+    <message>
+        <source>give x_m and y_m in the plan&apos;s frame, or longitude and latitude</source>
+        <translation>x_m und y_m im Bezugssystem des Plans angeben oder Länge und Breite</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4861,6 +5064,10 @@
         <translation>es enthält mehr als %1 Dateien</translation>
     </message>
     <message>
+        <source>it holds more than %1 positions</source>
+        <translation>sie enthält mehr als %1 Positionen</translation>
+    </message>
+    <message>
         <source>it is a line at %1 without a width</source>
         <translation>es ist eine Linie bei %1 ohne Breite</translation>
     </message>
@@ -4875,6 +5082,10 @@
     <message>
         <source>it is no raster of heights</source>
         <translation>das ist kein Höhenraster</translation>
+    </message>
+    <message>
+        <source>it is no rosbag2 that can be read (%1)</source>
+        <translation>das ist kein lesbares rosbag2 (%1)</translation>
     </message>
     <message>
         <source>it is not a length</source>
@@ -4911,6 +5122,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>sein Abstand ist keine Länge</translation>
+    </message>
+    <message>
+        <source>its compression &apos;%1&apos; is not known</source>
+        <translation>die Kompression „%1“ ist nicht bekannt</translation>
     </message>
     <message>
         <source>its overhang is not a length from 0 to 100 m</source>
@@ -4997,8 +5212,20 @@
         <translation>Linien, die nichts leiten</translation>
     </message>
     <message>
+        <source>lon=&quot;%1&quot; lat=&quot;%2&quot; is no place on Earth</source>
+        <translation>lon=&quot;%1&quot; lat=&quot;%2&quot; ist kein Ort auf der Erde</translation>
+    </message>
+    <message>
         <source>look for a missing comma, quote or brace just before it</source>
         <translation>kurz davor nach einem fehlenden Komma, Anführungszeichen oder einer Klammer suchen</translation>
+    </message>
+    <message>
+        <source>most of its lines are not JSON</source>
+        <translation>die meisten Zeilen sind kein JSON</translation>
+    </message>
+    <message>
+        <source>most of its sentences have a wrong checksum</source>
+        <translation>die meisten Sätze haben eine falsche Prüfsumme</translation>
     </message>
     <message>
         <source>move one of the points there, so that it is clear which side is field</source>
@@ -5029,6 +5256,10 @@
         <translation>die Spalten in der ersten Zeile benennen</translation>
     </message>
     <message>
+        <source>name the columns, for example time,lon,lat,speed_kmh in the first line</source>
+        <translation>die Spalten benennen, zum Beispiel time,lon,lat,speed_kmh in der ersten Zeile</translation>
+    </message>
+    <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
         <translation>den Ordner eines Plans nennen, wie furrow-cli plan ihn schreibt</translation>
     </message>
@@ -5041,12 +5272,44 @@
         <translation>aus dieser Datei lässt sich keine Feldgrenze lesen (%1)</translation>
     </message>
     <message>
+        <source>no header names a longitude and a latitude (or x_m and y_m)</source>
+        <translation>keine Kopfzeile nennt Länge und Breite (oder x_m und y_m)</translation>
+    </message>
+    <message>
         <source>no pixel of the picture is worked</source>
         <translation>kein Pixel des Bildes ist bearbeitet</translation>
     </message>
     <message>
+        <source>no row of this table has a position</source>
+        <translation>keine Zeile dieser Tabelle hat eine Position</translation>
+    </message>
+    <message>
         <source>no swath fits inside the headland</source>
         <translation>in die Innenfläche passt keine Spur</translation>
+    </message>
+    <message>
+        <source>no topic of this bag has a position</source>
+        <translation>kein Topic dieses Bags hat eine Position</translation>
+    </message>
+    <message>
+        <source>none of its %1 RMC and GGA sentences has a position</source>
+        <translation>keiner der %1 RMC- und GGA-Sätze hat eine Position</translation>
+    </message>
+    <message>
+        <source>none of its %1 position reports has a position</source>
+        <translation>keine der %1 Positionsmeldungen hat eine Position</translation>
+    </message>
+    <message>
+        <source>none of its %1 time logs holds a position</source>
+        <translation>keines der %1 Fahrtprotokolle enthält eine Position</translation>
+    </message>
+    <message>
+        <source>none of the tracks has more than one position</source>
+        <translation>keine der Aufzeichnungen hat mehr als eine Position</translation>
+    </message>
+    <message>
+        <source>nothing is left of the land inside of this track</source>
+        <translation>vom Land innerhalb dieser Aufzeichnung bleibt nichts übrig</translation>
     </message>
     <message>
         <source>obstacle %1</source>
@@ -5083,6 +5346,10 @@
     <message>
         <source>open it with a newer Furrow; the file was left as it is</source>
         <translation>mit einem neueren Furrow öffnen; die Datei blieb, wie sie ist</translation>
+    </message>
+    <message>
+        <source>open the field of that plan first, or record longitude and latitude</source>
+        <translation>zuerst den Schlag dieses Plans öffnen oder Länge und Breite aufzeichnen</translation>
     </message>
     <message>
         <source>opennav_coverage goal</source>
@@ -5129,12 +5396,40 @@
         <translation>den EPSG-Code in den Namen schreiben, wie field_EPSG32632.dxf</translation>
     </message>
     <message>
+        <source>record %1 has a value that its header does not name</source>
+        <translation>Eintrag %1 hat einen Wert, den die Kopfdatei nicht nennt</translation>
+    </message>
+    <message>
+        <source>record a position every second, or every few metres</source>
+        <translation>jede Sekunde oder alle paar Meter eine Position aufzeichnen</translation>
+    </message>
+    <message>
         <source>record or draw its boundary first</source>
         <translation>zuerst die Feldgrenze aufnehmen oder zeichnen</translation>
     </message>
     <message>
         <source>record or export it again</source>
         <translation>neu aufzeichnen oder exportieren</translation>
+    </message>
+    <message>
+        <source>record sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped or nav_msgs/Path</source>
+        <translation>sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped oder nav_msgs/Path aufzeichnen</translation>
+    </message>
+    <message>
+        <source>record the log again with a receiver that has a fix</source>
+        <translation>das Protokoll mit einem Empfänger neu aufzeichnen, der seine Position kennt</translation>
+    </message>
+    <message>
+        <source>record the positions without pictures and point clouds</source>
+        <translation>die Positionen ohne Bilder und Punktwolken aufzeichnen</translation>
+    </message>
+    <message>
+        <source>record with a correction signal (EGNOS, RTK), or under an open sky</source>
+        <translation>mit Korrektursignal (EGNOS, RTK) oder unter freiem Himmel aufzeichnen</translation>
+    </message>
+    <message>
+        <source>record with zstd, lz4 or no compression</source>
+        <translation>mit zstd, lz4 oder ohne Kompression aufzeichnen</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
@@ -5221,8 +5516,20 @@
         <translation>den Schreibschutz des Sticks aufheben</translation>
     </message>
     <message>
+        <source>take the track as driven around the field, or record the work</source>
+        <translation>die Aufzeichnung als Fahrt um das Feld nehmen oder die Arbeit aufzeichnen</translation>
+    </message>
+    <message>
         <source>the .shx file that belongs to it is missing</source>
         <translation>die zugehörige .shx-Datei fehlt</translation>
+    </message>
+    <message>
+        <source>the GPX file is damaged (%1)</source>
+        <translation>die GPX-Datei ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>the GPX file is larger than 256 MiB</source>
+        <translation>die GPX-Datei ist größer als 256 MiB</translation>
     </message>
     <message>
         <source>the boundary</source>
@@ -5259,6 +5566,10 @@
     <message>
         <source>the curves from line %1 on are left out: it is damaged</source>
         <translation>die Kurven ab Zeile %1 werden weggelassen: sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the edge cannot lie that far from the line</source>
+        <translation>der Rand kann nicht so weit von der Linie liegen</translation>
     </message>
     <message>
         <source>the end</source>
@@ -5321,6 +5632,10 @@
         <translation>die Datei ist leer</translation>
     </message>
     <message>
+        <source>the file is empty or cannot be read</source>
+        <translation>die Datei ist leer oder nicht lesbar</translation>
+    </message>
+    <message>
         <source>the file is larger than 1 GiB</source>
         <translation>die Datei ist größer als 1 GiB</translation>
     </message>
@@ -5337,12 +5652,28 @@
         <translation>der Ordner oder das Zip kann nicht gelesen werden</translation>
     </message>
     <message>
+        <source>the gap is out of range</source>
+        <translation>die Lücke liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>das Vorgewende wird weggelassen: Zeile %1 ist beschädigt</translation>
     </message>
     <message>
         <source>the headland of edge %1</source>
         <translation>das Vorgewende an Kante %1</translation>
+    </message>
+    <message>
+        <source>the implement was nowhere down on this track</source>
+        <translation>das Gerät war auf dieser Fahrt nirgends abgesenkt</translation>
+    </message>
+    <message>
+        <source>the log is cut off in record %1</source>
+        <translation>das Protokoll ist in Eintrag %1 abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the operating width is out of range</source>
+        <translation>die Arbeitsbreite liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>the overhang of edge %1</source>
@@ -5425,12 +5756,24 @@
         <translation>der Plan nennt keinen Grund</translation>
     </message>
     <message>
+        <source>the positions of this track are metres in the plan that was driven, not places on Earth</source>
+        <translation>die Positionen dieser Aufzeichnung sind Meter im gefahrenen Plan, keine Orte auf der Erde</translation>
+    </message>
+    <message>
         <source>the recorded path is left out: it is damaged</source>
         <translation>der aufgezeichnete Weg wird weggelassen: er ist beschädigt</translation>
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>die Aufzeichnung kann nicht erstellt werden: %1</translation>
+    </message>
+    <message>
+        <source>the recording is cut off in the middle of a record</source>
+        <translation>die Aufzeichnung ist mitten in einem Eintrag abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the recording is cut off: its end is missing</source>
+        <translation>die Aufzeichnung ist abgeschnitten: das Ende fehlt</translation>
     </message>
     <message>
         <source>the sample field cannot be read</source>
@@ -5461,12 +5804,31 @@
         <translation>der Stick ist schreibgeschützt</translation>
     </message>
     <message>
+        <source>the strips of this track lie nowhere beside each other</source>
+        <translation>die Streifen dieser Aufzeichnung liegen nirgends nebeneinander</translation>
+    </message>
+    <message>
         <source>the swaths are left out: %1</source>
         <translation>die Spuren werden weggelassen: %1</translation>
     </message>
     <message>
         <source>the table has neither a column WKT nor columns lon and lat</source>
         <translation>die Tabelle hat weder eine Spalte WKT noch Spalten lon und lat</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>die Aufzeichnung kommt dem Plan nirgends nahe</translation>
+    </message>
+    <message>
+        <source>the track goes around nothing: from its end to its beginning %1 are missing</source>
+        <translation>die Fahrt führt nicht rundherum: vom Ende bis zum Anfang fehlen %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>the track has %n positions only</source>
+        <translation>
+            <numerusform>die Aufzeichnung hat nur %n Position</numerusform>
+            <numerusform>die Aufzeichnung hat nur %n Positionen</numerusform>
+        </translation>
     </message>
     <message>
         <source>the transfer after %1</source>
@@ -5561,6 +5923,10 @@
         <translation>es gibt kein Projektformat %1</translation>
     </message>
     <message>
+        <source>there is no recorded track in it</source>
+        <translation>es ist keine aufgezeichnete Fahrt darin</translation>
+    </message>
+    <message>
         <source>there is no setting &apos;%1&apos;</source>
         <translation>es gibt keine Einstellung „%1“</translation>
     </message>
@@ -5577,6 +5943,14 @@
         <translation>es gibt kein Terminal „%1“</translation>
     </message>
     <message>
+        <source>there is no track in this GPX file</source>
+        <translation>in dieser GPX-Datei ist keine Fahrt</translation>
+    </message>
+    <message>
+        <source>this XML file is cut off</source>
+        <translation>diese XML-Datei ist abgeschnitten</translation>
+    </message>
+    <message>
         <source>this XML is no task data</source>
         <translation>dieses XML enthält keine Auftragsdaten</translation>
     </message>
@@ -5589,16 +5963,32 @@
         <translation>dieses Format enthält den Fahrweg eines Plans, und es gibt nur einen Schlag</translation>
     </message>
     <message>
+        <source>this is a bag of ROS 1</source>
+        <translation>das ist ein Bag von ROS 1</translation>
+    </message>
+    <message>
         <source>this is a folder</source>
         <translation>das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file of version 0</source>
+        <translation>das ist keine MCAP-Datei der Version 0</translation>
     </message>
     <message>
         <source>this is no boundary file that can be read</source>
         <translation>das ist keine lesbare Datei mit Feldgrenzen</translation>
     </message>
     <message>
+        <source>this is no header of a time log</source>
+        <translation>das ist keine Kopfdatei eines Fahrtprotokolls</translation>
+    </message>
+    <message>
         <source>this is no ordinary file</source>
         <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>this is no track that can be read</source>
+        <translation>das ist keine lesbare Aufzeichnung</translation>
     </message>
     <message>
         <source>this is no zip of fields or recordings</source>
@@ -5641,12 +6031,20 @@
         <translation>dieses Projekt wurde von einem neueren Furrow gespeichert (Format %1, dieses kennt %2)</translation>
     </message>
     <message>
+        <source>topic %1 was left out for %2</source>
+        <translation>Topic %1 wurde zugunsten von %2 weggelassen</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>
     <message>
         <source>try another stick</source>
         <translation>einen anderen Stick versuchen</translation>
+    </message>
+    <message>
+        <source>turn it into a rosbag2 with rosbags-convert</source>
+        <translation>es mit rosbags-convert in ein rosbag2 umwandeln</translation>
     </message>
     <message>
         <source>two points</source>

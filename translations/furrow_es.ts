@@ -2419,6 +2419,10 @@
         <translation>%1 para el transporte es más ancho que la máquina trabajando, %2</translation>
     </message>
     <message>
+        <source>%1 holds no positions</source>
+        <translation>%1 no contiene posiciones</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 de una pieza quedan sin trabajar.</translation>
     </message>
@@ -2479,8 +2483,20 @@
         <translation>faltan %1 de %2 pasadas en el orden: %3</translation>
     </message>
     <message>
+        <source>%1 of %2 tracks are of another place and were left out</source>
+        <translation>%1 de %2 recorridos son de otro lugar y se han omitido</translation>
+    </message>
+    <message>
+        <source>%1 of its sentences have a wrong checksum</source>
+        <translation>%1 de sus sentencias tienen una suma de comprobación errónea</translation>
+    </message>
+    <message>
         <source>%1 of margin leaves nothing of the field to work</source>
         <translation>%1 de margen no dejan nada de la parcela que trabajar</translation>
+    </message>
+    <message>
+        <source>%1 of the positions jump away and back</source>
+        <translation>%1 de las posiciones saltan a otro lugar y vuelven</translation>
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
@@ -2493,6 +2509,10 @@
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
         <translation>%1 pasadas y giros salen de la parcela o invaden un obstáculo, en %2 como mucho, como permite este plan.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more than 1,000 km from the plan</source>
+        <translation>%1, %2 está a más de 1.000 km del plan</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2511,6 +2531,14 @@
         <translation>%1, %2, línea %3</translation>
     </message>
     <message>
+        <source>%1, %2, point %3</source>
+        <translation>%1, %2, punto %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, byte %2</translation>
+    </message>
+    <message>
         <source>%1, feature %2</source>
         <translation>%1, objeto %2</translation>
     </message>
@@ -2523,6 +2551,10 @@
         <translation>%1, hueco %2</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, línea %2</translation>
+    </message>
+    <message>
         <source>%1, obstacle %2</source>
         <translation>%1, obstáculo %2</translation>
     </message>
@@ -2533,6 +2565,10 @@
     <message>
         <source>%1, row %2</source>
         <translation>%1, fila %2</translation>
+    </message>
+    <message>
+        <source>%1.bin is not there</source>
+        <translation>falta %1.bin</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2565,6 +2601,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n damaged lines were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n línea dañada</numerusform>
+            <numerusform>se han pasado por alto %n líneas dañadas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
             <numerusform>%n elemento sin forma</numerusform>
@@ -2576,6 +2619,13 @@
         <translation>
             <numerusform>%n parcela</numerusform>
             <numerusform>%n parcelas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n messages without a position were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n mensaje sin posición</numerusform>
+            <numerusform>se han pasado por alto %n mensajes sin posición</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2621,6 +2671,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n positions that jumped away were left out</source>
+        <translation>
+            <numerusform>se ha omitido %n posición que saltó a otro lugar</numerusform>
+            <numerusform>se han omitido %n posiciones que saltaron a otro lugar</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n records without a position were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n registro sin posición</numerusform>
+            <numerusform>se han pasado por alto %n registros sin posición</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reports without a position were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n aviso sin posición</numerusform>
+            <numerusform>se han pasado por alto %n avisos sin posición</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n rings did not end where they began and were closed</source>
         <translation>
             <numerusform>%n anillo no acababa donde empezó y se ha cerrado</numerusform>
@@ -2635,10 +2706,38 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n rows without a position were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n fila sin posición</numerusform>
+            <numerusform>se han pasado por alto %n filas sin posición</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences with a wrong checksum were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n sentencia con suma de comprobación errónea</numerusform>
+            <numerusform>se han pasado por alto %n sentencias con suma de comprobación errónea</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences without a position were passed over</source>
+        <translation>
+            <numerusform>se ha pasado por alto %n sentencia sin posición</numerusform>
+            <numerusform>se han pasado por alto %n sentencias sin posición</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n spikes without area were removed</source>
         <translation>
             <numerusform>%n pico sin superficie se ha quitado</numerusform>
             <numerusform>%n picos sin superficie se han quitado</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of one strip were left out, as ways to the field: %1 together</source>
+        <translation>
+            <numerusform>se ha omitido %n tramo de una sola franja, como camino a la parcela: %1</numerusform>
+            <numerusform>se han omitido %n tramos de una sola franja, como caminos a la parcela: %1 en total</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2647,6 +2746,10 @@
             <numerusform>%n giro</numerusform>
             <numerusform>%n giros</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; files hold no recorded track</source>
+        <translation>los archivos «%1» no contienen ningún recorrido grabado</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
@@ -2679,6 +2782,10 @@
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
         <translation>«%1», «%2» no es longitud y latitud</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no position</source>
+        <translation>«%1», «%2» no es una posición</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -4317,6 +4424,22 @@
         <translation>Límite comprimido</translation>
     </message>
     <message>
+        <source>a chunk of the recording has a wrong checksum</source>
+        <translation>un bloque de la grabación tiene una suma de comprobación errónea</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is cut off</source>
+        <translation>un bloque de la grabación está cortado</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is damaged</source>
+        <translation>un bloque de la grabación está dañado</translation>
+    </message>
+    <message>
+        <source>a compressed chunk of the recording is damaged</source>
+        <translation>un bloque comprimido de la grabación está dañado</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>una coordenada no es un número</translation>
     </message>
@@ -4341,12 +4464,24 @@
         <translation>una máquina es un objeto JSON</translation>
     </message>
     <message>
+        <source>a message is cut off</source>
+        <translation>un mensaje está cortado</translation>
+    </message>
+    <message>
+        <source>a message is not plain CDR</source>
+        <translation>un mensaje no es CDR simple</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>un número</translation>
     </message>
     <message>
         <source>a number is too large to be read</source>
         <translation>un número es demasiado grande para leerlo</translation>
+    </message>
+    <message>
+        <source>a part of it states %1 bytes, more than 256 MiB</source>
+        <translation>una parte indica %1 bytes, más de 256 MiB</translation>
     </message>
     <message>
         <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
@@ -4363,6 +4498,10 @@
     <message>
         <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
         <translation>un punto o una línea en WGS84 como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a record of the recording is damaged</source>
+        <translation>un registro de la grabación está dañado</translation>
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
@@ -4437,6 +4576,14 @@
         <translation>compruebe la ruta</translation>
     </message>
     <message>
+        <source>check the width and how far the edge lies from the line</source>
+        <translation>compruebe el ancho y la distancia del borde a la línea</translation>
+    </message>
+    <message>
+        <source>check the width of the implement, or take the track as driven around the field</source>
+        <translation>compruebe el ancho del apero o tome el recorrido como vuelta alrededor de la parcela</translation>
+    </message>
+    <message>
         <source>choose a narrower headland or a narrower machine</source>
         <translation>elija una cabecera o una máquina más estrecha</translation>
     </message>
@@ -4469,8 +4616,16 @@
         <translation>las curvas de nivel necesitan alturas</translation>
     </message>
     <message>
+        <source>copy it again, or mend it with &apos;mcap recover&apos; or sqlite3&apos;s &apos;.recover&apos;</source>
+        <translation>cópielo de nuevo o repárelo con «mcap recover» o con «.recover» de sqlite3</translation>
+    </message>
+    <message>
         <source>copy or export it again</source>
         <translation>cópielo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>copy or export the recording again</source>
+        <translation>copie o exporte de nuevo la grabación</translation>
     </message>
     <message>
         <source>copy the whole folder</source>
@@ -4483,6 +4638,18 @@
     <message>
         <source>correct or delete this point in the file</source>
         <translation>corrija o elimine este punto en el archivo</translation>
+    </message>
+    <message>
+        <source>correct or remove the line</source>
+        <translation>corrija o elimine la línea</translation>
+    </message>
+    <message>
+        <source>correct or remove the point</source>
+        <translation>corrija o elimine el punto</translation>
+    </message>
+    <message>
+        <source>correct the line, or export the track in WGS84</source>
+        <translation>corrija la línea o exporte el recorrido en WGS84</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -4549,6 +4716,10 @@
         <translation>dibuje o abra antes una en la ventana</translation>
     </message>
     <message>
+        <source>drive on to where the recording began, or take the track as worked land</source>
+        <translation>siga hasta donde empezó la grabación o tome el recorrido como tierra trabajada</translation>
+    </message>
+    <message>
         <source>export fewer fields at once</source>
         <translation>exporte menos parcelas a la vez</translation>
     </message>
@@ -4585,6 +4756,10 @@
         <translation>exporte las parcelas de nuevo en un solo sistema de coordenadas</translation>
     </message>
     <message>
+        <source>export the recorded track, not only its waypoints</source>
+        <translation>exporte el recorrido grabado, no solo sus puntos de paso</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>objeto %1</translation>
     </message>
@@ -4617,6 +4792,10 @@
         <translation>indique 0 m o más</translation>
     </message>
     <message>
+        <source>give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2</source>
+        <translation>indique GPX, CSV, un registro NMEA o gpsd, datos de tareas ISOXML (carpeta, TASKDATA.XML o zip) o un rosbag2</translation>
+    </message>
+    <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
         <translation>indique GeoJSON, un shapefile (.shp o .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT o CSV</translation>
     </message>
@@ -4627,6 +4806,22 @@
     <message>
         <source>give a buffer of 0 m or more</source>
         <translation>indique una distancia de 0 m o más</translation>
+    </message>
+    <message>
+        <source>give a distance up to 50 m</source>
+        <translation>indique una distancia de hasta 50 m</translation>
+    </message>
+    <message>
+        <source>give a gap up to 100 m</source>
+        <translation>indique un hueco de hasta 100 m</translation>
+    </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>indique un plan y un recorrido de la misma parcela</translation>
+    </message>
+    <message>
+        <source>give a width up to 100 m</source>
+        <translation>indique un ancho de hasta 100 m</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
@@ -4785,6 +4980,10 @@
         <translation>indique la carpeta de una grabación</translation>
     </message>
     <message>
+        <source>give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file</source>
+        <translation>indique la carpeta o el zip con TASKDATA.XML y sus archivos TLG, una carpeta de rosbag2 o un archivo</translation>
+    </message>
+    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>indique los puntos en grados (WGS84), longitud en lon y latitud en lat</translation>
     </message>
@@ -4795,6 +4994,10 @@
     <message>
         <source>give two points at least 1 m apart</source>
         <translation>indique dos puntos separados al menos 1 m</translation>
+    </message>
+    <message>
+        <source>give x_m and y_m in the plan&apos;s frame, or longitude and latitude</source>
+        <translation>indique x_m e y_m en el sistema del plan, o longitud y latitud</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4861,6 +5064,10 @@
         <translation>contiene más de %1 archivos</translation>
     </message>
     <message>
+        <source>it holds more than %1 positions</source>
+        <translation>contiene más de %1 posiciones</translation>
+    </message>
+    <message>
         <source>it is a line at %1 without a width</source>
         <translation>es una línea en %1 sin ancho</translation>
     </message>
@@ -4875,6 +5082,10 @@
     <message>
         <source>it is no raster of heights</source>
         <translation>no es un ráster de alturas</translation>
+    </message>
+    <message>
+        <source>it is no rosbag2 that can be read (%1)</source>
+        <translation>no es un rosbag2 legible (%1)</translation>
     </message>
     <message>
         <source>it is not a length</source>
@@ -4911,6 +5122,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>su distancia no es una longitud</translation>
+    </message>
+    <message>
+        <source>its compression &apos;%1&apos; is not known</source>
+        <translation>su compresión «%1» no se conoce</translation>
     </message>
     <message>
         <source>its overhang is not a length from 0 to 100 m</source>
@@ -4997,8 +5212,20 @@
         <translation>líneas que no guían nada</translation>
     </message>
     <message>
+        <source>lon=&quot;%1&quot; lat=&quot;%2&quot; is no place on Earth</source>
+        <translation>lon=&quot;%1&quot; lat=&quot;%2&quot; no es un lugar de la Tierra</translation>
+    </message>
+    <message>
         <source>look for a missing comma, quote or brace just before it</source>
         <translation>busque justo antes una coma, comilla o llave que falte</translation>
+    </message>
+    <message>
+        <source>most of its lines are not JSON</source>
+        <translation>la mayoría de sus líneas no son JSON</translation>
+    </message>
+    <message>
+        <source>most of its sentences have a wrong checksum</source>
+        <translation>la mayoría de sus sentencias tienen una suma de comprobación errónea</translation>
     </message>
     <message>
         <source>move one of the points there, so that it is clear which side is field</source>
@@ -5029,6 +5256,10 @@
         <translation>ponga nombre a las columnas en la primera fila</translation>
     </message>
     <message>
+        <source>name the columns, for example time,lon,lat,speed_kmh in the first line</source>
+        <translation>nombre las columnas, por ejemplo time,lon,lat,speed_kmh en la primera línea</translation>
+    </message>
+    <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
         <translation>indique la carpeta de un plan, como la escribe furrow-cli plan</translation>
     </message>
@@ -5041,12 +5272,44 @@
         <translation>no se puede leer ningún límite de este archivo (%1)</translation>
     </message>
     <message>
+        <source>no header names a longitude and a latitude (or x_m and y_m)</source>
+        <translation>ninguna cabecera nombra longitud y latitud (o x_m e y_m)</translation>
+    </message>
+    <message>
         <source>no pixel of the picture is worked</source>
         <translation>ningún píxel de la imagen está trabajado</translation>
     </message>
     <message>
+        <source>no row of this table has a position</source>
+        <translation>ninguna fila de esta tabla tiene posición</translation>
+    </message>
+    <message>
         <source>no swath fits inside the headland</source>
         <translation>no cabe ninguna pasada en el interior de la parcela</translation>
+    </message>
+    <message>
+        <source>no topic of this bag has a position</source>
+        <translation>ningún topic de este bag tiene posición</translation>
+    </message>
+    <message>
+        <source>none of its %1 RMC and GGA sentences has a position</source>
+        <translation>ninguna de sus %1 sentencias RMC y GGA tiene posición</translation>
+    </message>
+    <message>
+        <source>none of its %1 position reports has a position</source>
+        <translation>ninguno de sus %1 avisos de posición tiene posición</translation>
+    </message>
+    <message>
+        <source>none of its %1 time logs holds a position</source>
+        <translation>ninguno de sus %1 registros de tiempo contiene posiciones</translation>
+    </message>
+    <message>
+        <source>none of the tracks has more than one position</source>
+        <translation>ninguno de los recorridos tiene más de una posición</translation>
+    </message>
+    <message>
+        <source>nothing is left of the land inside of this track</source>
+        <translation>no queda nada de la tierra dentro de este recorrido</translation>
     </message>
     <message>
         <source>obstacle %1</source>
@@ -5083,6 +5346,10 @@
     <message>
         <source>open it with a newer Furrow; the file was left as it is</source>
         <translation>ábralo con un Furrow más nuevo; el archivo quedó como estaba</translation>
+    </message>
+    <message>
+        <source>open the field of that plan first, or record longitude and latitude</source>
+        <translation>abra antes la parcela de ese plan o grabe longitud y latitud</translation>
     </message>
     <message>
         <source>opennav_coverage goal</source>
@@ -5129,12 +5396,40 @@
         <translation>ponga el código EPSG en su nombre, como field_EPSG32632.dxf</translation>
     </message>
     <message>
+        <source>record %1 has a value that its header does not name</source>
+        <translation>el registro %1 tiene un valor que su cabecera no nombra</translation>
+    </message>
+    <message>
+        <source>record a position every second, or every few metres</source>
+        <translation>grabe una posición cada segundo o cada pocos metros</translation>
+    </message>
+    <message>
         <source>record or draw its boundary first</source>
         <translation>grabe o dibuje primero su límite</translation>
     </message>
     <message>
         <source>record or export it again</source>
         <translation>grábelo o expórtelo de nuevo</translation>
+    </message>
+    <message>
+        <source>record sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped or nav_msgs/Path</source>
+        <translation>grabe sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped o nav_msgs/Path</translation>
+    </message>
+    <message>
+        <source>record the log again with a receiver that has a fix</source>
+        <translation>grabe de nuevo con un receptor que conozca su posición</translation>
+    </message>
+    <message>
+        <source>record the positions without pictures and point clouds</source>
+        <translation>grabe las posiciones sin imágenes ni nubes de puntos</translation>
+    </message>
+    <message>
+        <source>record with a correction signal (EGNOS, RTK), or under an open sky</source>
+        <translation>grabe con señal de corrección (EGNOS, RTK) o a cielo abierto</translation>
+    </message>
+    <message>
+        <source>record with zstd, lz4 or no compression</source>
+        <translation>grabe con zstd, lz4 o sin compresión</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
@@ -5221,8 +5516,20 @@
         <translation>quite la protección contra escritura de la memoria USB</translation>
     </message>
     <message>
+        <source>take the track as driven around the field, or record the work</source>
+        <translation>tome el recorrido como vuelta alrededor de la parcela o grabe el trabajo</translation>
+    </message>
+    <message>
         <source>the .shx file that belongs to it is missing</source>
         <translation>falta el archivo .shx correspondiente</translation>
+    </message>
+    <message>
+        <source>the GPX file is damaged (%1)</source>
+        <translation>el archivo GPX está dañado (%1)</translation>
+    </message>
+    <message>
+        <source>the GPX file is larger than 256 MiB</source>
+        <translation>el archivo GPX supera los 256 MiB</translation>
     </message>
     <message>
         <source>the boundary</source>
@@ -5259,6 +5566,10 @@
     <message>
         <source>the curves from line %1 on are left out: it is damaged</source>
         <translation>se omiten las curvas a partir de la línea %1: está dañada</translation>
+    </message>
+    <message>
+        <source>the edge cannot lie that far from the line</source>
+        <translation>el borde no puede estar tan lejos de la línea</translation>
     </message>
     <message>
         <source>the end</source>
@@ -5321,6 +5632,10 @@
         <translation>el archivo está vacío</translation>
     </message>
     <message>
+        <source>the file is empty or cannot be read</source>
+        <translation>el archivo está vacío o no se puede leer</translation>
+    </message>
+    <message>
         <source>the file is larger than 1 GiB</source>
         <translation>el archivo es mayor de 1 GiB</translation>
     </message>
@@ -5337,12 +5652,28 @@
         <translation>no se puede leer la carpeta o el zip</translation>
     </message>
     <message>
+        <source>the gap is out of range</source>
+        <translation>el hueco está fuera de rango</translation>
+    </message>
+    <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>se omite la cabecera: la línea %1 está dañada</translation>
     </message>
     <message>
         <source>the headland of edge %1</source>
         <translation>la cabecera del lado %1</translation>
+    </message>
+    <message>
+        <source>the implement was nowhere down on this track</source>
+        <translation>el apero no estuvo bajado en ningún punto de este recorrido</translation>
+    </message>
+    <message>
+        <source>the log is cut off in record %1</source>
+        <translation>el registro está cortado en la entrada %1</translation>
+    </message>
+    <message>
+        <source>the operating width is out of range</source>
+        <translation>el ancho de trabajo está fuera de rango</translation>
     </message>
     <message>
         <source>the overhang of edge %1</source>
@@ -5425,12 +5756,24 @@
         <translation>el plan no dice por qué</translation>
     </message>
     <message>
+        <source>the positions of this track are metres in the plan that was driven, not places on Earth</source>
+        <translation>las posiciones de este recorrido son metros en el plan que se siguió, no lugares de la Tierra</translation>
+    </message>
+    <message>
         <source>the recorded path is left out: it is damaged</source>
         <translation>se omite el recorrido grabado: está dañado</translation>
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>no se puede crear la grabación: %1</translation>
+    </message>
+    <message>
+        <source>the recording is cut off in the middle of a record</source>
+        <translation>la grabación está cortada en medio de un registro</translation>
+    </message>
+    <message>
+        <source>the recording is cut off: its end is missing</source>
+        <translation>la grabación está cortada: falta el final</translation>
     </message>
     <message>
         <source>the sample field cannot be read</source>
@@ -5461,12 +5804,31 @@
         <translation>la memoria USB está protegida contra escritura</translation>
     </message>
     <message>
+        <source>the strips of this track lie nowhere beside each other</source>
+        <translation>las franjas de este recorrido no están en ningún punto una junto a otra</translation>
+    </message>
+    <message>
         <source>the swaths are left out: %1</source>
         <translation>se omiten las pasadas: %1</translation>
     </message>
     <message>
         <source>the table has neither a column WKT nor columns lon and lat</source>
         <translation>la tabla no tiene ni columna WKT ni columnas lon y lat</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>el recorrido no llega al plan en ningún punto</translation>
+    </message>
+    <message>
+        <source>the track goes around nothing: from its end to its beginning %1 are missing</source>
+        <translation>el recorrido no rodea nada: faltan %1 desde su final hasta su comienzo</translation>
+    </message>
+    <message numerus="yes">
+        <source>the track has %n positions only</source>
+        <translation>
+            <numerusform>el recorrido solo tiene %n posición</numerusform>
+            <numerusform>el recorrido solo tiene %n posiciones</numerusform>
+        </translation>
     </message>
     <message>
         <source>the transfer after %1</source>
@@ -5561,6 +5923,10 @@
         <translation>no hay ningún formato de proyecto %1</translation>
     </message>
     <message>
+        <source>there is no recorded track in it</source>
+        <translation>no contiene ningún recorrido grabado</translation>
+    </message>
+    <message>
         <source>there is no setting &apos;%1&apos;</source>
         <translation>no hay ningún ajuste «%1»</translation>
     </message>
@@ -5577,6 +5943,14 @@
         <translation>no hay ningún terminal «%1»</translation>
     </message>
     <message>
+        <source>there is no track in this GPX file</source>
+        <translation>no hay ningún recorrido en este archivo GPX</translation>
+    </message>
+    <message>
+        <source>this XML file is cut off</source>
+        <translation>este archivo XML está cortado</translation>
+    </message>
+    <message>
         <source>this XML is no task data</source>
         <translation>este XML no son datos de tarea</translation>
     </message>
@@ -5589,16 +5963,32 @@
         <translation>este formato contiene el recorrido de un plan, y solo hay una parcela</translation>
     </message>
     <message>
+        <source>this is a bag of ROS 1</source>
+        <translation>es un bag de ROS 1</translation>
+    </message>
+    <message>
         <source>this is a folder</source>
         <translation>esto es una carpeta</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file of version 0</source>
+        <translation>no es un archivo MCAP de la versión 0</translation>
     </message>
     <message>
         <source>this is no boundary file that can be read</source>
         <translation>no es un archivo de límites que se pueda leer</translation>
     </message>
     <message>
+        <source>this is no header of a time log</source>
+        <translation>no es la cabecera de un registro de tiempo</translation>
+    </message>
+    <message>
         <source>this is no ordinary file</source>
         <translation>no es un archivo normal</translation>
+    </message>
+    <message>
+        <source>this is no track that can be read</source>
+        <translation>no es un recorrido legible</translation>
     </message>
     <message>
         <source>this is no zip of fields or recordings</source>
@@ -5641,12 +6031,20 @@
         <translation>este proyecto lo guardó un Furrow más nuevo (formato %1, este conoce %2)</translation>
     </message>
     <message>
+        <source>topic %1 was left out for %2</source>
+        <translation>el topic %1 se ha omitido en favor de %2</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true o false</translation>
     </message>
     <message>
         <source>try another stick</source>
         <translation>pruebe otra memoria USB</translation>
+    </message>
+    <message>
+        <source>turn it into a rosbag2 with rosbags-convert</source>
+        <translation>conviértalo en un rosbag2 con rosbags-convert</translation>
     </message>
     <message>
         <source>two points</source>

@@ -2419,6 +2419,10 @@
         <translation>%1 pour le transport, c&apos;est plus large que la machine au travail, %2</translation>
     </message>
     <message>
+        <source>%1 holds no positions</source>
+        <translation>%1 ne contient aucune position</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 d&apos;un seul tenant ne sont pas travaillés.</translation>
     </message>
@@ -2479,8 +2483,20 @@
         <translation>%1 passages sur %2 ne sont pas dans l&apos;ordre : %3</translation>
     </message>
     <message>
+        <source>%1 of %2 tracks are of another place and were left out</source>
+        <translation>%1 trajets sur %2 sont d&apos;un autre endroit et ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>%1 of its sentences have a wrong checksum</source>
+        <translation>%1 de ses phrases ont une somme de contrôle fausse</translation>
+    </message>
+    <message>
         <source>%1 of margin leaves nothing of the field to work</source>
         <translation>%1 de marge ne laissent rien de la parcelle à travailler</translation>
+    </message>
+    <message>
+        <source>%1 of the positions jump away and back</source>
+        <translation>%1 des positions sautent ailleurs et reviennent</translation>
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
@@ -2493,6 +2509,10 @@
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
         <translation>%1 passages et demi-tours sortent de la parcelle ou empiètent sur un obstacle, de %2 au plus, comme ce plan le permet.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more than 1,000 km from the plan</source>
+        <translation>%1, %2 est à plus de 1 000 km du plan</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2511,6 +2531,14 @@
         <translation>%1, %2, ligne %3</translation>
     </message>
     <message>
+        <source>%1, %2, point %3</source>
+        <translation>%1, %2, point %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, octet %2</translation>
+    </message>
+    <message>
         <source>%1, feature %2</source>
         <translation>%1, objet %2</translation>
     </message>
@@ -2523,6 +2551,10 @@
         <translation>%1, enclave %2</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
         <source>%1, obstacle %2</source>
         <translation>%1, obstacle %2</translation>
     </message>
@@ -2533,6 +2565,10 @@
     <message>
         <source>%1, row %2</source>
         <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>%1.bin is not there</source>
+        <translation>%1.bin manque</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2565,6 +2601,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n damaged lines were passed over</source>
+        <translation>
+            <numerusform>%n ligne endommagée a été passée</numerusform>
+            <numerusform>%n lignes endommagées ont été passées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
             <numerusform>%n entrée sans forme</numerusform>
@@ -2576,6 +2619,13 @@
         <translation>
             <numerusform>%n parcelle</numerusform>
             <numerusform>%n parcelles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n messages without a position were passed over</source>
+        <translation>
+            <numerusform>%n message sans position a été passé</numerusform>
+            <numerusform>%n messages sans position ont été passés</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2621,6 +2671,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n positions that jumped away were left out</source>
+        <translation>
+            <numerusform>%n position qui avait sauté ailleurs a été laissée de côté</numerusform>
+            <numerusform>%n positions qui avaient sauté ailleurs ont été laissées de côté</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n records without a position were passed over</source>
+        <translation>
+            <numerusform>%n enregistrement sans position a été passé</numerusform>
+            <numerusform>%n enregistrements sans position ont été passés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reports without a position were passed over</source>
+        <translation>
+            <numerusform>%n rapport sans position a été passé</numerusform>
+            <numerusform>%n rapports sans position ont été passés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n rings did not end where they began and were closed</source>
         <translation>
             <numerusform>%n contour ne finissait pas là où il commence et a été fermé</numerusform>
@@ -2635,10 +2706,38 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n rows without a position were passed over</source>
+        <translation>
+            <numerusform>%n ligne sans position a été passée</numerusform>
+            <numerusform>%n lignes sans position ont été passées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences with a wrong checksum were passed over</source>
+        <translation>
+            <numerusform>%n phrase à la somme de contrôle fausse a été passée</numerusform>
+            <numerusform>%n phrases à la somme de contrôle fausse ont été passées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences without a position were passed over</source>
+        <translation>
+            <numerusform>%n phrase sans position a été passée</numerusform>
+            <numerusform>%n phrases sans position ont été passées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n spikes without area were removed</source>
         <translation>
             <numerusform>%n pointe sans surface a été retirée</numerusform>
             <numerusform>%n pointes sans surface ont été retirées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of one strip were left out, as ways to the field: %1 together</source>
+        <translation>
+            <numerusform>%n tronçon d&apos;une seule bande a été laissé de côté, comme chemin vers la parcelle : %1</numerusform>
+            <numerusform>%n tronçons d&apos;une seule bande ont été laissés de côté, comme chemins vers la parcelle : %1 en tout</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2647,6 +2746,10 @@
             <numerusform>%n demi-tour</numerusform>
             <numerusform>%n demi-tours</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; files hold no recorded track</source>
+        <translation>les fichiers « %1 » ne contiennent aucun trajet enregistré</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
@@ -2679,6 +2782,10 @@
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
         <translation>« %1 », « %2 » n&apos;est pas une longitude et une latitude</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no position</source>
+        <translation>« %1 », « %2 » n&apos;est pas une position</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -4317,6 +4424,22 @@
         <translation>Limite zippée</translation>
     </message>
     <message>
+        <source>a chunk of the recording has a wrong checksum</source>
+        <translation>un bloc de l&apos;enregistrement a une somme de contrôle fausse</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is cut off</source>
+        <translation>un bloc de l&apos;enregistrement est coupé</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is damaged</source>
+        <translation>un bloc de l&apos;enregistrement est endommagé</translation>
+    </message>
+    <message>
+        <source>a compressed chunk of the recording is damaged</source>
+        <translation>un bloc compressé de l&apos;enregistrement est endommagé</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>une coordonnée n&apos;est pas un nombre</translation>
     </message>
@@ -4341,12 +4464,24 @@
         <translation>une machine est un objet JSON</translation>
     </message>
     <message>
+        <source>a message is cut off</source>
+        <translation>un message est coupé</translation>
+    </message>
+    <message>
+        <source>a message is not plain CDR</source>
+        <translation>un message n&apos;est pas en CDR simple</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>un nombre</translation>
     </message>
     <message>
         <source>a number is too large to be read</source>
         <translation>un nombre est trop grand pour être lu</translation>
+    </message>
+    <message>
+        <source>a part of it states %1 bytes, more than 256 MiB</source>
+        <translation>une partie en annonce %1 octets, plus de 256 Mio</translation>
     </message>
     <message>
         <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
@@ -4363,6 +4498,10 @@
     <message>
         <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
         <translation>un point ou une ligne en WGS84 comme LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a record of the recording is damaged</source>
+        <translation>un élément de l&apos;enregistrement est endommagé</translation>
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
@@ -4437,6 +4576,14 @@
         <translation>vérifiez le chemin</translation>
     </message>
     <message>
+        <source>check the width and how far the edge lies from the line</source>
+        <translation>vérifiez la largeur et la distance entre le bord et la ligne</translation>
+    </message>
+    <message>
+        <source>check the width of the implement, or take the track as driven around the field</source>
+        <translation>vérifiez la largeur de l&apos;outil, ou prenez le trajet comme un tour de la parcelle</translation>
+    </message>
+    <message>
         <source>choose a narrower headland or a narrower machine</source>
         <translation>choisissez une fourrière ou une machine plus étroite</translation>
     </message>
@@ -4469,8 +4616,16 @@
         <translation>les courbes de niveau demandent des altitudes</translation>
     </message>
     <message>
+        <source>copy it again, or mend it with &apos;mcap recover&apos; or sqlite3&apos;s &apos;.recover&apos;</source>
+        <translation>copiez-le à nouveau, ou réparez-le avec « mcap recover » ou « .recover » de sqlite3</translation>
+    </message>
+    <message>
         <source>copy or export it again</source>
         <translation>copiez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>copy or export the recording again</source>
+        <translation>copiez ou exportez à nouveau l&apos;enregistrement</translation>
     </message>
     <message>
         <source>copy the whole folder</source>
@@ -4483,6 +4638,18 @@
     <message>
         <source>correct or delete this point in the file</source>
         <translation>corrigez ou supprimez ce point dans le fichier</translation>
+    </message>
+    <message>
+        <source>correct or remove the line</source>
+        <translation>corrigez ou supprimez la ligne</translation>
+    </message>
+    <message>
+        <source>correct or remove the point</source>
+        <translation>corrigez ou supprimez le point</translation>
+    </message>
+    <message>
+        <source>correct the line, or export the track in WGS84</source>
+        <translation>corrigez la ligne, ou exportez le trajet en WGS84</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -4549,6 +4716,10 @@
         <translation>dessinez ou ouvrez-en d&apos;abord une dans la fenêtre</translation>
     </message>
     <message>
+        <source>drive on to where the recording began, or take the track as worked land</source>
+        <translation>roulez jusqu&apos;à l&apos;endroit où l&apos;enregistrement a commencé, ou prenez le trajet comme terre travaillée</translation>
+    </message>
+    <message>
         <source>export fewer fields at once</source>
         <translation>exportez moins de parcelles à la fois</translation>
     </message>
@@ -4585,6 +4756,10 @@
         <translation>exportez à nouveau les parcelles dans un seul système de coordonnées</translation>
     </message>
     <message>
+        <source>export the recorded track, not only its waypoints</source>
+        <translation>exportez le trajet enregistré, pas seulement ses points de passage</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>objet %1</translation>
     </message>
@@ -4617,6 +4792,10 @@
         <translation>indiquez 0 m ou plus</translation>
     </message>
     <message>
+        <source>give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2</source>
+        <translation>indiquez un GPX, un CSV, un journal NMEA ou gpsd, des données de tâche ISOXML (dossier, TASKDATA.XML ou zip) ou un rosbag2</translation>
+    </message>
+    <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
         <translation>indiquez un GeoJSON, un shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
     </message>
@@ -4627,6 +4806,22 @@
     <message>
         <source>give a buffer of 0 m or more</source>
         <translation>indiquez une distance de 0 m ou plus</translation>
+    </message>
+    <message>
+        <source>give a distance up to 50 m</source>
+        <translation>indiquez une distance jusqu&apos;à 50 m</translation>
+    </message>
+    <message>
+        <source>give a gap up to 100 m</source>
+        <translation>indiquez un écart jusqu&apos;à 100 m</translation>
+    </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>indiquez un plan et un trajet de la même parcelle</translation>
+    </message>
+    <message>
+        <source>give a width up to 100 m</source>
+        <translation>indiquez une largeur jusqu&apos;à 100 m</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
@@ -4785,6 +4980,10 @@
         <translation>indiquez le dossier d&apos;un enregistrement</translation>
     </message>
     <message>
+        <source>give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file</source>
+        <translation>indiquez le dossier ou le zip avec TASKDATA.XML et ses fichiers TLG, un dossier rosbag2, ou un seul fichier</translation>
+    </message>
+    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>indiquez les points en degrés (WGS84), longitude dans lon et latitude dans lat</translation>
     </message>
@@ -4795,6 +4994,10 @@
     <message>
         <source>give two points at least 1 m apart</source>
         <translation>indiquez deux points distants d&apos;au moins 1 m</translation>
+    </message>
+    <message>
+        <source>give x_m and y_m in the plan&apos;s frame, or longitude and latitude</source>
+        <translation>indiquez x_m et y_m dans le repère du plan, ou longitude et latitude</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4861,6 +5064,10 @@
         <translation>il contient plus de %1 fichiers</translation>
     </message>
     <message>
+        <source>it holds more than %1 positions</source>
+        <translation>il contient plus de %1 positions</translation>
+    </message>
+    <message>
         <source>it is a line at %1 without a width</source>
         <translation>c&apos;est une ligne à %1 sans largeur</translation>
     </message>
@@ -4875,6 +5082,10 @@
     <message>
         <source>it is no raster of heights</source>
         <translation>ce n&apos;est pas une grille d&apos;altitudes</translation>
+    </message>
+    <message>
+        <source>it is no rosbag2 that can be read (%1)</source>
+        <translation>ce n&apos;est pas un rosbag2 lisible (%1)</translation>
     </message>
     <message>
         <source>it is not a length</source>
@@ -4911,6 +5122,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>sa distance n&apos;est pas une longueur</translation>
+    </message>
+    <message>
+        <source>its compression &apos;%1&apos; is not known</source>
+        <translation>sa compression « %1 » n&apos;est pas connue</translation>
     </message>
     <message>
         <source>its overhang is not a length from 0 to 100 m</source>
@@ -4997,8 +5212,20 @@
         <translation>lignes qui ne guident rien</translation>
     </message>
     <message>
+        <source>lon=&quot;%1&quot; lat=&quot;%2&quot; is no place on Earth</source>
+        <translation>lon=&quot;%1&quot; lat=&quot;%2&quot; n&apos;est pas un lieu sur Terre</translation>
+    </message>
+    <message>
         <source>look for a missing comma, quote or brace just before it</source>
         <translation>cherchez une virgule, un guillemet ou une accolade qui manque juste avant</translation>
+    </message>
+    <message>
+        <source>most of its lines are not JSON</source>
+        <translation>la plupart de ses lignes ne sont pas du JSON</translation>
+    </message>
+    <message>
+        <source>most of its sentences have a wrong checksum</source>
+        <translation>la plupart de ses phrases ont une somme de contrôle fausse</translation>
     </message>
     <message>
         <source>move one of the points there, so that it is clear which side is field</source>
@@ -5029,6 +5256,10 @@
         <translation>nommez les colonnes dans la première ligne</translation>
     </message>
     <message>
+        <source>name the columns, for example time,lon,lat,speed_kmh in the first line</source>
+        <translation>nommez les colonnes, par exemple time,lon,lat,speed_kmh sur la première ligne</translation>
+    </message>
+    <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
         <translation>indiquez le dossier d&apos;un plan, tel que l&apos;écrit furrow-cli plan</translation>
     </message>
@@ -5041,12 +5272,44 @@
         <translation>aucune limite ne peut être lue dans ce fichier (%1)</translation>
     </message>
     <message>
+        <source>no header names a longitude and a latitude (or x_m and y_m)</source>
+        <translation>aucun en-tête ne nomme une longitude et une latitude (ou x_m et y_m)</translation>
+    </message>
+    <message>
         <source>no pixel of the picture is worked</source>
         <translation>aucun pixel de l&apos;image n&apos;est travaillé</translation>
     </message>
     <message>
+        <source>no row of this table has a position</source>
+        <translation>aucune ligne de ce tableau n&apos;a de position</translation>
+    </message>
+    <message>
         <source>no swath fits inside the headland</source>
         <translation>aucun passage ne tient dans le plein champ</translation>
+    </message>
+    <message>
+        <source>no topic of this bag has a position</source>
+        <translation>aucun topic de ce bag n&apos;a de position</translation>
+    </message>
+    <message>
+        <source>none of its %1 RMC and GGA sentences has a position</source>
+        <translation>aucune de ses %1 phrases RMC et GGA n&apos;a de position</translation>
+    </message>
+    <message>
+        <source>none of its %1 position reports has a position</source>
+        <translation>aucun de ses %1 rapports de position n&apos;a de position</translation>
+    </message>
+    <message>
+        <source>none of its %1 time logs holds a position</source>
+        <translation>aucun de ses %1 journaux ne contient de position</translation>
+    </message>
+    <message>
+        <source>none of the tracks has more than one position</source>
+        <translation>aucun des trajets n&apos;a plus d&apos;une position</translation>
+    </message>
+    <message>
+        <source>nothing is left of the land inside of this track</source>
+        <translation>il ne reste rien de la terre à l&apos;intérieur de ce trajet</translation>
     </message>
     <message>
         <source>obstacle %1</source>
@@ -5083,6 +5346,10 @@
     <message>
         <source>open it with a newer Furrow; the file was left as it is</source>
         <translation>ouvrez-le avec un Furrow plus récent ; le fichier est resté tel quel</translation>
+    </message>
+    <message>
+        <source>open the field of that plan first, or record longitude and latitude</source>
+        <translation>ouvrez d&apos;abord la parcelle de ce plan, ou enregistrez longitude et latitude</translation>
     </message>
     <message>
         <source>opennav_coverage goal</source>
@@ -5129,12 +5396,40 @@
         <translation>mettez le code EPSG dans son nom, comme field_EPSG32632.dxf</translation>
     </message>
     <message>
+        <source>record %1 has a value that its header does not name</source>
+        <translation>l&apos;élément %1 a une valeur que son en-tête ne nomme pas</translation>
+    </message>
+    <message>
+        <source>record a position every second, or every few metres</source>
+        <translation>enregistrez une position chaque seconde, ou tous les quelques mètres</translation>
+    </message>
+    <message>
         <source>record or draw its boundary first</source>
         <translation>enregistrez ou dessinez d&apos;abord sa limite</translation>
     </message>
     <message>
         <source>record or export it again</source>
         <translation>enregistrez-le ou exportez-le à nouveau</translation>
+    </message>
+    <message>
+        <source>record sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped or nav_msgs/Path</source>
+        <translation>enregistrez sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped ou nav_msgs/Path</translation>
+    </message>
+    <message>
+        <source>record the log again with a receiver that has a fix</source>
+        <translation>enregistrez à nouveau avec un récepteur qui connaît sa position</translation>
+    </message>
+    <message>
+        <source>record the positions without pictures and point clouds</source>
+        <translation>enregistrez les positions sans images ni nuages de points</translation>
+    </message>
+    <message>
+        <source>record with a correction signal (EGNOS, RTK), or under an open sky</source>
+        <translation>enregistrez avec un signal de correction (EGNOS, RTK), ou à ciel ouvert</translation>
+    </message>
+    <message>
+        <source>record with zstd, lz4 or no compression</source>
+        <translation>enregistrez avec zstd, lz4 ou sans compression</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
@@ -5221,8 +5516,20 @@
         <translation>ôtez la protection en écriture de la clé</translation>
     </message>
     <message>
+        <source>take the track as driven around the field, or record the work</source>
+        <translation>prenez le trajet comme un tour de la parcelle, ou enregistrez le travail</translation>
+    </message>
+    <message>
         <source>the .shx file that belongs to it is missing</source>
         <translation>le fichier .shx qui l&apos;accompagne manque</translation>
+    </message>
+    <message>
+        <source>the GPX file is damaged (%1)</source>
+        <translation>le fichier GPX est endommagé (%1)</translation>
+    </message>
+    <message>
+        <source>the GPX file is larger than 256 MiB</source>
+        <translation>le fichier GPX dépasse 256 Mio</translation>
     </message>
     <message>
         <source>the boundary</source>
@@ -5259,6 +5566,10 @@
     <message>
         <source>the curves from line %1 on are left out: it is damaged</source>
         <translation>les courbes à partir de la ligne %1 sont laissées de côté : elle est endommagée</translation>
+    </message>
+    <message>
+        <source>the edge cannot lie that far from the line</source>
+        <translation>le bord ne peut pas être aussi loin de la ligne</translation>
     </message>
     <message>
         <source>the end</source>
@@ -5321,6 +5632,10 @@
         <translation>le fichier est vide</translation>
     </message>
     <message>
+        <source>the file is empty or cannot be read</source>
+        <translation>le fichier est vide ou illisible</translation>
+    </message>
+    <message>
         <source>the file is larger than 1 GiB</source>
         <translation>le fichier dépasse 1 Gio</translation>
     </message>
@@ -5337,12 +5652,28 @@
         <translation>le dossier ou le zip ne peut pas être lu</translation>
     </message>
     <message>
+        <source>the gap is out of range</source>
+        <translation>l&apos;écart est hors limites</translation>
+    </message>
+    <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>la fourrière est laissée de côté : la ligne %1 est endommagée</translation>
     </message>
     <message>
         <source>the headland of edge %1</source>
         <translation>la fourrière du côté %1</translation>
+    </message>
+    <message>
+        <source>the implement was nowhere down on this track</source>
+        <translation>l&apos;outil n&apos;a été baissé nulle part sur ce trajet</translation>
+    </message>
+    <message>
+        <source>the log is cut off in record %1</source>
+        <translation>le journal est coupé à l&apos;élément %1</translation>
+    </message>
+    <message>
+        <source>the operating width is out of range</source>
+        <translation>la largeur de travail est hors limites</translation>
     </message>
     <message>
         <source>the overhang of edge %1</source>
@@ -5425,12 +5756,24 @@
         <translation>le plan n&apos;en donne pas la raison</translation>
     </message>
     <message>
+        <source>the positions of this track are metres in the plan that was driven, not places on Earth</source>
+        <translation>les positions de ce trajet sont des mètres dans le plan suivi, pas des lieux sur Terre</translation>
+    </message>
+    <message>
         <source>the recorded path is left out: it is damaged</source>
         <translation>le trajet enregistré est laissé de côté : il est endommagé</translation>
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>l&apos;enregistrement ne peut pas être créé : %1</translation>
+    </message>
+    <message>
+        <source>the recording is cut off in the middle of a record</source>
+        <translation>l&apos;enregistrement est coupé au milieu d&apos;un élément</translation>
+    </message>
+    <message>
+        <source>the recording is cut off: its end is missing</source>
+        <translation>l&apos;enregistrement est coupé : sa fin manque</translation>
     </message>
     <message>
         <source>the sample field cannot be read</source>
@@ -5461,12 +5804,31 @@
         <translation>la clé est protégée en écriture</translation>
     </message>
     <message>
+        <source>the strips of this track lie nowhere beside each other</source>
+        <translation>les bandes de ce trajet ne sont nulle part côte à côte</translation>
+    </message>
+    <message>
         <source>the swaths are left out: %1</source>
         <translation>les passages sont laissés de côté : %1</translation>
     </message>
     <message>
         <source>the table has neither a column WKT nor columns lon and lat</source>
         <translation>le tableau n&apos;a ni colonne WKT ni colonnes lon et lat</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>le trajet ne passe nulle part près du plan</translation>
+    </message>
+    <message>
+        <source>the track goes around nothing: from its end to its beginning %1 are missing</source>
+        <translation>le trajet ne fait pas le tour : il manque %1 de sa fin à son début</translation>
+    </message>
+    <message numerus="yes">
+        <source>the track has %n positions only</source>
+        <translation>
+            <numerusform>le trajet n&apos;a que %n position</numerusform>
+            <numerusform>le trajet n&apos;a que %n positions</numerusform>
+        </translation>
     </message>
     <message>
         <source>the transfer after %1</source>
@@ -5561,6 +5923,10 @@
         <translation>il n&apos;y a pas de format de projet %1</translation>
     </message>
     <message>
+        <source>there is no recorded track in it</source>
+        <translation>il n&apos;y a pas de trajet enregistré dedans</translation>
+    </message>
+    <message>
         <source>there is no setting &apos;%1&apos;</source>
         <translation>il n&apos;y a pas de réglage « %1 »</translation>
     </message>
@@ -5577,6 +5943,14 @@
         <translation>il n&apos;y a pas de console « %1 »</translation>
     </message>
     <message>
+        <source>there is no track in this GPX file</source>
+        <translation>il n&apos;y a pas de trajet dans ce fichier GPX</translation>
+    </message>
+    <message>
+        <source>this XML file is cut off</source>
+        <translation>ce fichier XML est coupé</translation>
+    </message>
+    <message>
         <source>this XML is no task data</source>
         <translation>ce XML ne contient pas de données de tâche</translation>
     </message>
@@ -5589,16 +5963,32 @@
         <translation>ce format contient le trajet d&apos;un plan, et il n&apos;y a qu&apos;une parcelle</translation>
     </message>
     <message>
+        <source>this is a bag of ROS 1</source>
+        <translation>c&apos;est un bag de ROS 1</translation>
+    </message>
+    <message>
         <source>this is a folder</source>
         <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file of version 0</source>
+        <translation>ce n&apos;est pas un fichier MCAP de version 0</translation>
     </message>
     <message>
         <source>this is no boundary file that can be read</source>
         <translation>ce n&apos;est pas un fichier de limites lisible</translation>
     </message>
     <message>
+        <source>this is no header of a time log</source>
+        <translation>ce n&apos;est pas l&apos;en-tête d&apos;un journal</translation>
+    </message>
+    <message>
         <source>this is no ordinary file</source>
         <translation>ce n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>this is no track that can be read</source>
+        <translation>ce n&apos;est pas un trajet lisible</translation>
     </message>
     <message>
         <source>this is no zip of fields or recordings</source>
@@ -5641,12 +6031,20 @@
         <translation>ce projet a été enregistré par un Furrow plus récent (format %1, celui-ci connaît %2)</translation>
     </message>
     <message>
+        <source>topic %1 was left out for %2</source>
+        <translation>le topic %1 a été laissé de côté au profit de %2</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true ou false</translation>
     </message>
     <message>
         <source>try another stick</source>
         <translation>essayez une autre clé</translation>
+    </message>
+    <message>
+        <source>turn it into a rosbag2 with rosbags-convert</source>
+        <translation>convertissez-le en rosbag2 avec rosbags-convert</translation>
     </message>
     <message>
         <source>two points</source>

@@ -2419,6 +2419,10 @@
         <translation>%1 voor transport is breder dan de machine aan het werk, %2</translation>
     </message>
     <message>
+        <source>%1 holds no positions</source>
+        <translation>%1 bevat geen posities</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 aan één stuk wordt niet bewerkt.</translation>
     </message>
@@ -2479,8 +2483,20 @@
         <translation>%1 van %2 werkgangen ontbreken in de volgorde: %3</translation>
     </message>
     <message>
+        <source>%1 of %2 tracks are of another place and were left out</source>
+        <translation>%1 van %2 ritten zijn van een andere plek en zijn weggelaten</translation>
+    </message>
+    <message>
+        <source>%1 of its sentences have a wrong checksum</source>
+        <translation>%1 van de zinnen erin hebben een verkeerde controlesom</translation>
+    </message>
+    <message>
         <source>%1 of margin leaves nothing of the field to work</source>
         <translation>%1 marge laat niets van het perceel over om te bewerken</translation>
+    </message>
+    <message>
+        <source>%1 of the positions jump away and back</source>
+        <translation>%1 van de posities springen weg en weer terug</translation>
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
@@ -2493,6 +2509,10 @@
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
         <translation>%1 werkgangen en draaien komen buiten het perceel of gaan over een obstakel, tot %2, zoals dit plan toestaat.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more than 1,000 km from the plan</source>
+        <translation>%1, %2 ligt meer dan 1.000 km van het plan</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2511,6 +2531,14 @@
         <translation>%1, %2, regel %3</translation>
     </message>
     <message>
+        <source>%1, %2, point %3</source>
+        <translation>%1, %2, punt %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, byte %2</translation>
+    </message>
+    <message>
         <source>%1, feature %2</source>
         <translation>%1, object %2</translation>
     </message>
@@ -2523,6 +2551,10 @@
         <translation>%1, gat %2</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, regel %2</translation>
+    </message>
+    <message>
         <source>%1, obstacle %2</source>
         <translation>%1, obstakel %2</translation>
     </message>
@@ -2533,6 +2565,10 @@
     <message>
         <source>%1, row %2</source>
         <translation>%1, rij %2</translation>
+    </message>
+    <message>
+        <source>%1.bin is not there</source>
+        <translation>%1.bin ontbreekt</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2565,6 +2601,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n damaged lines were passed over</source>
+        <translation>
+            <numerusform>%n beschadigde regel is overgeslagen</numerusform>
+            <numerusform>%n beschadigde regels zijn overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
             <numerusform>%n item zonder vorm</numerusform>
@@ -2576,6 +2619,13 @@
         <translation>
             <numerusform>%n perceel</numerusform>
             <numerusform>%n percelen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n messages without a position were passed over</source>
+        <translation>
+            <numerusform>%n bericht zonder positie is overgeslagen</numerusform>
+            <numerusform>%n berichten zonder positie zijn overgeslagen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2621,6 +2671,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n positions that jumped away were left out</source>
+        <translation>
+            <numerusform>%n positie die wegsprong is weggelaten</numerusform>
+            <numerusform>%n posities die wegsprongen zijn weggelaten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n records without a position were passed over</source>
+        <translation>
+            <numerusform>%n record zonder positie is overgeslagen</numerusform>
+            <numerusform>%n records zonder positie zijn overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reports without a position were passed over</source>
+        <translation>
+            <numerusform>%n melding zonder positie is overgeslagen</numerusform>
+            <numerusform>%n meldingen zonder positie zijn overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n rings did not end where they began and were closed</source>
         <translation>
             <numerusform>%n ring eindigde niet waar hij begon en is gesloten</numerusform>
@@ -2635,10 +2706,38 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n rows without a position were passed over</source>
+        <translation>
+            <numerusform>%n rij zonder positie is overgeslagen</numerusform>
+            <numerusform>%n rijen zonder positie zijn overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences with a wrong checksum were passed over</source>
+        <translation>
+            <numerusform>%n zin met een verkeerde controlesom is overgeslagen</numerusform>
+            <numerusform>%n zinnen met een verkeerde controlesom zijn overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences without a position were passed over</source>
+        <translation>
+            <numerusform>%n zin zonder positie is overgeslagen</numerusform>
+            <numerusform>%n zinnen zonder positie zijn overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n spikes without area were removed</source>
         <translation>
             <numerusform>%n uitsteeksel zonder oppervlakte is verwijderd</numerusform>
             <numerusform>%n uitsteeksels zonder oppervlakte zijn verwijderd</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of one strip were left out, as ways to the field: %1 together</source>
+        <translation>
+            <numerusform>%n stuk van één strook is weggelaten, als weg naar het perceel: %1</numerusform>
+            <numerusform>%n stukken van één strook zijn weggelaten, als wegen naar het perceel: samen %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2647,6 +2746,10 @@
             <numerusform>%n draai</numerusform>
             <numerusform>%n draaien</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; files hold no recorded track</source>
+        <translation>&apos;%1&apos;-bestanden bevatten geen opgenomen rit</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
@@ -2679,6 +2782,10 @@
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
         <translation>‘%1’, ‘%2’ is geen lengte- en breedtegraad</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no position</source>
+        <translation>&apos;%1&apos;, &apos;%2&apos; is geen positie</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -4317,6 +4424,22 @@
         <translation>Gezipte perceelsgrens</translation>
     </message>
     <message>
+        <source>a chunk of the recording has a wrong checksum</source>
+        <translation>een blok van de opname heeft een verkeerde controlesom</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is cut off</source>
+        <translation>een blok van de opname is afgekapt</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is damaged</source>
+        <translation>een blok van de opname is beschadigd</translation>
+    </message>
+    <message>
+        <source>a compressed chunk of the recording is damaged</source>
+        <translation>een gecomprimeerd blok van de opname is beschadigd</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>een coördinaat is geen getal</translation>
     </message>
@@ -4341,12 +4464,24 @@
         <translation>een machine is één JSON-object</translation>
     </message>
     <message>
+        <source>a message is cut off</source>
+        <translation>een bericht is afgekapt</translation>
+    </message>
+    <message>
+        <source>a message is not plain CDR</source>
+        <translation>een bericht is geen gewone CDR</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>een getal</translation>
     </message>
     <message>
         <source>a number is too large to be read</source>
         <translation>een getal is te groot om te lezen</translation>
+    </message>
+    <message>
+        <source>a part of it states %1 bytes, more than 256 MiB</source>
+        <translation>een deel ervan zou %1 bytes groot zijn, meer dan 256 MiB</translation>
     </message>
     <message>
         <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
@@ -4363,6 +4498,10 @@
     <message>
         <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
         <translation>een punt of een lijn in WGS84 zoals LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a record of the recording is damaged</source>
+        <translation>een record van de opname is beschadigd</translation>
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
@@ -4437,6 +4576,14 @@
         <translation>controleer het pad</translation>
     </message>
     <message>
+        <source>check the width and how far the edge lies from the line</source>
+        <translation>controleer de breedte en hoe ver de rand van de lijn ligt</translation>
+    </message>
+    <message>
+        <source>check the width of the implement, or take the track as driven around the field</source>
+        <translation>controleer de breedte van het werktuig, of neem de rit als rondgang om het perceel</translation>
+    </message>
+    <message>
         <source>choose a narrower headland or a narrower machine</source>
         <translation>kies een smallere kopakker of een smallere machine</translation>
     </message>
@@ -4469,8 +4616,16 @@
         <translation>hoogtelijnen hebben hoogten nodig</translation>
     </message>
     <message>
+        <source>copy it again, or mend it with &apos;mcap recover&apos; or sqlite3&apos;s &apos;.recover&apos;</source>
+        <translation>kopieer het opnieuw, of herstel het met &apos;mcap recover&apos; of &apos;.recover&apos; van sqlite3</translation>
+    </message>
+    <message>
         <source>copy or export it again</source>
         <translation>kopieer of exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>copy or export the recording again</source>
+        <translation>kopieer of exporteer de opname opnieuw</translation>
     </message>
     <message>
         <source>copy the whole folder</source>
@@ -4483,6 +4638,18 @@
     <message>
         <source>correct or delete this point in the file</source>
         <translation>verbeter of verwijder dit punt in het bestand</translation>
+    </message>
+    <message>
+        <source>correct or remove the line</source>
+        <translation>verbeter of verwijder de regel</translation>
+    </message>
+    <message>
+        <source>correct or remove the point</source>
+        <translation>verbeter of verwijder het punt</translation>
+    </message>
+    <message>
+        <source>correct the line, or export the track in WGS84</source>
+        <translation>verbeter de regel, of exporteer de rit in WGS84</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -4549,6 +4716,10 @@
         <translation>teken of open er eerst een in het venster</translation>
     </message>
     <message>
+        <source>drive on to where the recording began, or take the track as worked land</source>
+        <translation>rijd door tot waar de opname begon, of neem de rit als bewerkt land</translation>
+    </message>
+    <message>
         <source>export fewer fields at once</source>
         <translation>exporteer minder percelen tegelijk</translation>
     </message>
@@ -4585,6 +4756,10 @@
         <translation>exporteer de percelen opnieuw in één coördinatenstelsel</translation>
     </message>
     <message>
+        <source>export the recorded track, not only its waypoints</source>
+        <translation>exporteer de opgenomen rit, niet alleen de wegpunten</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>object %1</translation>
     </message>
@@ -4617,6 +4792,10 @@
         <translation>geef 0 m of meer</translation>
     </message>
     <message>
+        <source>give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2</source>
+        <translation>geef GPX, CSV, een log van NMEA of gpsd, ISOXML-taakgegevens (map, TASKDATA.XML of zip) of een rosbag2</translation>
+    </message>
+    <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
         <translation>geef GeoJSON, een shapefile (.shp of .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT of CSV</translation>
     </message>
@@ -4627,6 +4806,22 @@
     <message>
         <source>give a buffer of 0 m or more</source>
         <translation>geef een afstand van 0 m of meer</translation>
+    </message>
+    <message>
+        <source>give a distance up to 50 m</source>
+        <translation>geef een afstand tot 50 m</translation>
+    </message>
+    <message>
+        <source>give a gap up to 100 m</source>
+        <translation>geef een opening tot 100 m</translation>
+    </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>geef een plan en een rit van hetzelfde perceel</translation>
+    </message>
+    <message>
+        <source>give a width up to 100 m</source>
+        <translation>geef een breedte tot 100 m</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
@@ -4785,6 +4980,10 @@
         <translation>geef de map van één opname</translation>
     </message>
     <message>
+        <source>give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file</source>
+        <translation>geef de map of zip met TASKDATA.XML en de TLG-bestanden, een rosbag2-map, of één bestand</translation>
+    </message>
+    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>geef de punten in graden (WGS84), de lengtegraad in lon en de breedtegraad in lat</translation>
     </message>
@@ -4795,6 +4994,10 @@
     <message>
         <source>give two points at least 1 m apart</source>
         <translation>geef twee punten die minstens 1 m uit elkaar liggen</translation>
+    </message>
+    <message>
+        <source>give x_m and y_m in the plan&apos;s frame, or longitude and latitude</source>
+        <translation>geef x_m en y_m in het stelsel van het plan, of lengte- en breedtegraad</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4861,6 +5064,10 @@
         <translation>er zitten meer dan %1 bestanden in</translation>
     </message>
     <message>
+        <source>it holds more than %1 positions</source>
+        <translation>het bevat meer dan %1 posities</translation>
+    </message>
+    <message>
         <source>it is a line at %1 without a width</source>
         <translation>het is een lijn bij %1 zonder breedte</translation>
     </message>
@@ -4875,6 +5082,10 @@
     <message>
         <source>it is no raster of heights</source>
         <translation>het is geen hoogteraster</translation>
+    </message>
+    <message>
+        <source>it is no rosbag2 that can be read (%1)</source>
+        <translation>dit is geen leesbare rosbag2 (%1)</translation>
     </message>
     <message>
         <source>it is not a length</source>
@@ -4911,6 +5122,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>de afstand is geen lengte</translation>
+    </message>
+    <message>
+        <source>its compression &apos;%1&apos; is not known</source>
+        <translation>de compressie &apos;%1&apos; is onbekend</translation>
     </message>
     <message>
         <source>its overhang is not a length from 0 to 100 m</source>
@@ -4997,8 +5212,20 @@
         <translation>lijnen waarlangs niet gestuurd wordt</translation>
     </message>
     <message>
+        <source>lon=&quot;%1&quot; lat=&quot;%2&quot; is no place on Earth</source>
+        <translation>lon=&quot;%1&quot; lat=&quot;%2&quot; is geen plek op aarde</translation>
+    </message>
+    <message>
         <source>look for a missing comma, quote or brace just before it</source>
         <translation>zoek er vlak voor naar een ontbrekende komma, aanhalingsteken of accolade</translation>
+    </message>
+    <message>
+        <source>most of its lines are not JSON</source>
+        <translation>de meeste regels zijn geen JSON</translation>
+    </message>
+    <message>
+        <source>most of its sentences have a wrong checksum</source>
+        <translation>de meeste zinnen hebben een verkeerde controlesom</translation>
     </message>
     <message>
         <source>move one of the points there, so that it is clear which side is field</source>
@@ -5029,6 +5256,10 @@
         <translation>noem de kolommen in de eerste rij</translation>
     </message>
     <message>
+        <source>name the columns, for example time,lon,lat,speed_kmh in the first line</source>
+        <translation>noem de kolommen, bijvoorbeeld time,lon,lat,speed_kmh op de eerste regel</translation>
+    </message>
+    <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
         <translation>noem de map van een plan, zoals furrow-cli plan die schrijft</translation>
     </message>
@@ -5041,12 +5272,44 @@
         <translation>uit dit bestand kan geen perceelsgrens gelezen worden (%1)</translation>
     </message>
     <message>
+        <source>no header names a longitude and a latitude (or x_m and y_m)</source>
+        <translation>geen kopregel noemt een lengte- en breedtegraad (of x_m en y_m)</translation>
+    </message>
+    <message>
         <source>no pixel of the picture is worked</source>
         <translation>geen pixel van het beeld is bewerkt</translation>
     </message>
     <message>
+        <source>no row of this table has a position</source>
+        <translation>geen rij van deze tabel heeft een positie</translation>
+    </message>
+    <message>
         <source>no swath fits inside the headland</source>
         <translation>er past geen werkgang in de binnenakker</translation>
+    </message>
+    <message>
+        <source>no topic of this bag has a position</source>
+        <translation>geen topic van deze bag heeft een positie</translation>
+    </message>
+    <message>
+        <source>none of its %1 RMC and GGA sentences has a position</source>
+        <translation>geen van de %1 RMC- en GGA-zinnen heeft een positie</translation>
+    </message>
+    <message>
+        <source>none of its %1 position reports has a position</source>
+        <translation>geen van de %1 positiemeldingen heeft een positie</translation>
+    </message>
+    <message>
+        <source>none of its %1 time logs holds a position</source>
+        <translation>geen van de %1 tijdlogs bevat een positie</translation>
+    </message>
+    <message>
+        <source>none of the tracks has more than one position</source>
+        <translation>geen van de ritten heeft meer dan één positie</translation>
+    </message>
+    <message>
+        <source>nothing is left of the land inside of this track</source>
+        <translation>van het land binnen deze rit blijft niets over</translation>
     </message>
     <message>
         <source>obstacle %1</source>
@@ -5083,6 +5346,10 @@
     <message>
         <source>open it with a newer Furrow; the file was left as it is</source>
         <translation>open het met een nieuwere Furrow; het bestand is gebleven zoals het was</translation>
+    </message>
+    <message>
+        <source>open the field of that plan first, or record longitude and latitude</source>
+        <translation>open eerst het perceel van dat plan, of neem lengte- en breedtegraad op</translation>
     </message>
     <message>
         <source>opennav_coverage goal</source>
@@ -5129,12 +5396,40 @@
         <translation>zet de EPSG-code in de naam, zoals field_EPSG32632.dxf</translation>
     </message>
     <message>
+        <source>record %1 has a value that its header does not name</source>
+        <translation>record %1 heeft een waarde die de kop niet noemt</translation>
+    </message>
+    <message>
+        <source>record a position every second, or every few metres</source>
+        <translation>neem elke seconde of om de paar meter een positie op</translation>
+    </message>
+    <message>
         <source>record or draw its boundary first</source>
         <translation>neem eerst de perceelsgrens op of teken die</translation>
     </message>
     <message>
         <source>record or export it again</source>
         <translation>neem het opnieuw op of exporteer het opnieuw</translation>
+    </message>
+    <message>
+        <source>record sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped or nav_msgs/Path</source>
+        <translation>neem sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped of nav_msgs/Path op</translation>
+    </message>
+    <message>
+        <source>record the log again with a receiver that has a fix</source>
+        <translation>neem de log opnieuw op met een ontvanger die zijn positie kent</translation>
+    </message>
+    <message>
+        <source>record the positions without pictures and point clouds</source>
+        <translation>neem de posities op zonder beelden en puntenwolken</translation>
+    </message>
+    <message>
+        <source>record with a correction signal (EGNOS, RTK), or under an open sky</source>
+        <translation>neem op met een correctiesignaal (EGNOS, RTK), of onder open hemel</translation>
+    </message>
+    <message>
+        <source>record with zstd, lz4 or no compression</source>
+        <translation>neem op met zstd, lz4 of zonder compressie</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
@@ -5221,8 +5516,20 @@
         <translation>haal de schrijfbeveiliging van de stick af</translation>
     </message>
     <message>
+        <source>take the track as driven around the field, or record the work</source>
+        <translation>neem de rit als rondgang om het perceel, of neem het werk op</translation>
+    </message>
+    <message>
         <source>the .shx file that belongs to it is missing</source>
         <translation>het bijbehorende .shx-bestand ontbreekt</translation>
+    </message>
+    <message>
+        <source>the GPX file is damaged (%1)</source>
+        <translation>het GPX-bestand is beschadigd (%1)</translation>
+    </message>
+    <message>
+        <source>the GPX file is larger than 256 MiB</source>
+        <translation>het GPX-bestand is groter dan 256 MiB</translation>
     </message>
     <message>
         <source>the boundary</source>
@@ -5259,6 +5566,10 @@
     <message>
         <source>the curves from line %1 on are left out: it is damaged</source>
         <translation>de curves vanaf regel %1 zijn weggelaten: die is beschadigd</translation>
+    </message>
+    <message>
+        <source>the edge cannot lie that far from the line</source>
+        <translation>de rand kan niet zo ver van de lijn liggen</translation>
     </message>
     <message>
         <source>the end</source>
@@ -5321,6 +5632,10 @@
         <translation>het bestand is leeg</translation>
     </message>
     <message>
+        <source>the file is empty or cannot be read</source>
+        <translation>het bestand is leeg of niet te lezen</translation>
+    </message>
+    <message>
         <source>the file is larger than 1 GiB</source>
         <translation>het bestand is groter dan 1 GiB</translation>
     </message>
@@ -5337,12 +5652,28 @@
         <translation>de map of zip kan niet gelezen worden</translation>
     </message>
     <message>
+        <source>the gap is out of range</source>
+        <translation>de opening valt buiten het bereik</translation>
+    </message>
+    <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>de kopakker is weggelaten: regel %1 is beschadigd</translation>
     </message>
     <message>
         <source>the headland of edge %1</source>
         <translation>de kopakker langs zijde %1</translation>
+    </message>
+    <message>
+        <source>the implement was nowhere down on this track</source>
+        <translation>het werktuig was op deze rit nergens neergelaten</translation>
+    </message>
+    <message>
+        <source>the log is cut off in record %1</source>
+        <translation>de log is afgekapt in record %1</translation>
+    </message>
+    <message>
+        <source>the operating width is out of range</source>
+        <translation>de werkbreedte valt buiten het bereik</translation>
     </message>
     <message>
         <source>the overhang of edge %1</source>
@@ -5425,12 +5756,24 @@
         <translation>het plan noemt geen reden</translation>
     </message>
     <message>
+        <source>the positions of this track are metres in the plan that was driven, not places on Earth</source>
+        <translation>de posities van deze rit zijn meters in het gereden plan, geen plekken op aarde</translation>
+    </message>
+    <message>
         <source>the recorded path is left out: it is damaged</source>
         <translation>het opgenomen pad is weggelaten: het is beschadigd</translation>
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>de opname kan niet gemaakt worden: %1</translation>
+    </message>
+    <message>
+        <source>the recording is cut off in the middle of a record</source>
+        <translation>de opname is midden in een record afgekapt</translation>
+    </message>
+    <message>
+        <source>the recording is cut off: its end is missing</source>
+        <translation>de opname is afgekapt: het einde ontbreekt</translation>
     </message>
     <message>
         <source>the sample field cannot be read</source>
@@ -5461,12 +5804,31 @@
         <translation>de stick is tegen schrijven beveiligd</translation>
     </message>
     <message>
+        <source>the strips of this track lie nowhere beside each other</source>
+        <translation>de stroken van deze rit liggen nergens naast elkaar</translation>
+    </message>
+    <message>
         <source>the swaths are left out: %1</source>
         <translation>de werkgangen zijn weggelaten: %1</translation>
     </message>
     <message>
         <source>the table has neither a column WKT nor columns lon and lat</source>
         <translation>de tabel heeft geen kolom WKT en geen kolommen lon en lat</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>de rit komt nergens bij het plan</translation>
+    </message>
+    <message>
+        <source>the track goes around nothing: from its end to its beginning %1 are missing</source>
+        <translation>de rit gaat nergens omheen: van het einde naar het begin ontbreekt %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>the track has %n positions only</source>
+        <translation>
+            <numerusform>de rit heeft maar %n positie</numerusform>
+            <numerusform>de rit heeft maar %n posities</numerusform>
+        </translation>
     </message>
     <message>
         <source>the transfer after %1</source>
@@ -5561,6 +5923,10 @@
         <translation>er is geen projectformaat %1</translation>
     </message>
     <message>
+        <source>there is no recorded track in it</source>
+        <translation>er zit geen opgenomen rit in</translation>
+    </message>
+    <message>
         <source>there is no setting &apos;%1&apos;</source>
         <translation>er is geen instelling ‘%1’</translation>
     </message>
@@ -5577,6 +5943,14 @@
         <translation>er is geen terminal ‘%1’</translation>
     </message>
     <message>
+        <source>there is no track in this GPX file</source>
+        <translation>er zit geen rit in dit GPX-bestand</translation>
+    </message>
+    <message>
+        <source>this XML file is cut off</source>
+        <translation>dit XML-bestand is afgekapt</translation>
+    </message>
+    <message>
         <source>this XML is no task data</source>
         <translation>deze XML bevat geen taakgegevens</translation>
     </message>
@@ -5589,16 +5963,32 @@
         <translation>dit formaat bevat het traject van een plan, en er is alleen een perceel</translation>
     </message>
     <message>
+        <source>this is a bag of ROS 1</source>
+        <translation>dit is een bag van ROS 1</translation>
+    </message>
+    <message>
         <source>this is a folder</source>
         <translation>dit is een map</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file of version 0</source>
+        <translation>dit is geen MCAP-bestand van versie 0</translation>
     </message>
     <message>
         <source>this is no boundary file that can be read</source>
         <translation>dit is geen leesbaar bestand met perceelsgrenzen</translation>
     </message>
     <message>
+        <source>this is no header of a time log</source>
+        <translation>dit is geen kop van een tijdlog</translation>
+    </message>
+    <message>
         <source>this is no ordinary file</source>
         <translation>dit is geen gewoon bestand</translation>
+    </message>
+    <message>
+        <source>this is no track that can be read</source>
+        <translation>dit is geen leesbare rit</translation>
     </message>
     <message>
         <source>this is no zip of fields or recordings</source>
@@ -5641,12 +6031,20 @@
         <translation>dit project is door een nieuwere Furrow opgeslagen (formaat %1, deze kent %2)</translation>
     </message>
     <message>
+        <source>topic %1 was left out for %2</source>
+        <translation>topic %1 is weggelaten ten gunste van %2</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true of false</translation>
     </message>
     <message>
         <source>try another stick</source>
         <translation>probeer een andere stick</translation>
+    </message>
+    <message>
+        <source>turn it into a rosbag2 with rosbags-convert</source>
+        <translation>zet het om naar een rosbag2 met rosbags-convert</translation>
     </message>
     <message>
         <source>two points</source>

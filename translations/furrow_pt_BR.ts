@@ -2419,6 +2419,10 @@
         <translation>%1 para transporte é mais largo que a máquina em trabalho, %2</translation>
     </message>
     <message>
+        <source>%1 holds no positions</source>
+        <translation>%1 não contém posições</translation>
+    </message>
+    <message>
         <source>%1 in one piece are not worked.</source>
         <translation>%1 em um só pedaço não são trabalhados.</translation>
     </message>
@@ -2479,8 +2483,20 @@
         <translation>%1 de %2 passadas não estão na ordem: %3</translation>
     </message>
     <message>
+        <source>%1 of %2 tracks are of another place and were left out</source>
+        <translation>%1 de %2 percursos são de outro lugar e ficaram de fora</translation>
+    </message>
+    <message>
+        <source>%1 of its sentences have a wrong checksum</source>
+        <translation>%1 de suas sentenças têm uma soma de verificação errada</translation>
+    </message>
+    <message>
         <source>%1 of margin leaves nothing of the field to work</source>
         <translation>%1 de margem não deixam nada do talhão para trabalhar</translation>
+    </message>
+    <message>
+        <source>%1 of the positions jump away and back</source>
+        <translation>%1 das posições saltam para longe e voltam</translation>
     </message>
     <message>
         <source>%1 reads back other bytes than were written</source>
@@ -2493,6 +2509,10 @@
     <message>
         <source>%1 swaths and turns leave the field or cross an obstacle, by up to %2, as this plan allows.</source>
         <translation>%1 passadas e manobras saem do talhão ou avançam sobre um obstáculo, em até %2, como este plano permite.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more than 1,000 km from the plan</source>
+        <translation>%1, %2 fica a mais de 1.000 km do plano</translation>
     </message>
     <message>
         <source>%1, %2 is no longitude and latitude</source>
@@ -2511,6 +2531,14 @@
         <translation>%1, %2, linha %3</translation>
     </message>
     <message>
+        <source>%1, %2, point %3</source>
+        <translation>%1, %2, ponto %3</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, byte %2</translation>
+    </message>
+    <message>
         <source>%1, feature %2</source>
         <translation>%1, objeto %2</translation>
     </message>
@@ -2523,6 +2551,10 @@
         <translation>%1, vazio %2</translation>
     </message>
     <message>
+        <source>%1, line %2</source>
+        <translation>%1, linha %2</translation>
+    </message>
+    <message>
         <source>%1, obstacle %2</source>
         <translation>%1, obstáculo %2</translation>
     </message>
@@ -2533,6 +2565,10 @@
     <message>
         <source>%1, row %2</source>
         <translation>%1, linha %2</translation>
+    </message>
+    <message>
+        <source>%1.bin is not there</source>
+        <translation>%1.bin não existe</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2565,6 +2601,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n damaged lines were passed over</source>
+        <translation>
+            <numerusform>%n linha danificada foi ignorada</numerusform>
+            <numerusform>%n linhas danificadas foram ignoradas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n entries without a shape</source>
         <translation>
             <numerusform>%n item sem forma</numerusform>
@@ -2576,6 +2619,13 @@
         <translation>
             <numerusform>%n talhão</numerusform>
             <numerusform>%n talhões</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n messages without a position were passed over</source>
+        <translation>
+            <numerusform>%n mensagem sem posição foi ignorada</numerusform>
+            <numerusform>%n mensagens sem posição foram ignoradas</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2621,6 +2671,27 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n positions that jumped away were left out</source>
+        <translation>
+            <numerusform>%n posição que saltou para longe ficou de fora</numerusform>
+            <numerusform>%n posições que saltaram para longe ficaram de fora</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n records without a position were passed over</source>
+        <translation>
+            <numerusform>%n registro sem posição foi ignorado</numerusform>
+            <numerusform>%n registros sem posição foram ignorados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reports without a position were passed over</source>
+        <translation>
+            <numerusform>%n relatório sem posição foi ignorado</numerusform>
+            <numerusform>%n relatórios sem posição foram ignorados</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n rings did not end where they began and were closed</source>
         <translation>
             <numerusform>%n anel não terminava onde começou e foi fechado</numerusform>
@@ -2635,10 +2706,38 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n rows without a position were passed over</source>
+        <translation>
+            <numerusform>%n linha sem posição foi ignorada</numerusform>
+            <numerusform>%n linhas sem posição foram ignoradas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences with a wrong checksum were passed over</source>
+        <translation>
+            <numerusform>%n sentença com soma de verificação errada foi ignorada</numerusform>
+            <numerusform>%n sentenças com soma de verificação errada foram ignoradas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sentences without a position were passed over</source>
+        <translation>
+            <numerusform>%n sentença sem posição foi ignorada</numerusform>
+            <numerusform>%n sentenças sem posição foram ignoradas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n spikes without area were removed</source>
         <translation>
             <numerusform>%n ponta sem área foi removida</numerusform>
             <numerusform>%n pontas sem área foram removidas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretches of one strip were left out, as ways to the field: %1 together</source>
+        <translation>
+            <numerusform>%n trecho de uma só faixa ficou de fora, como caminho até o talhão: %1</numerusform>
+            <numerusform>%n trechos de uma só faixa ficaram de fora, como caminhos até o talhão: %1 no total</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2647,6 +2746,10 @@
             <numerusform>%n manobra</numerusform>
             <numerusform>%n manobras</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; files hold no recorded track</source>
+        <translation>arquivos “%1” não contêm nenhum percurso gravado</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is left out: its kind %2 is not known</source>
@@ -2679,6 +2782,10 @@
     <message>
         <source>&apos;%1&apos;, &apos;%2&apos; is no longitude and latitude</source>
         <translation>“%1”, “%2” não é longitude e latitude</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, &apos;%2&apos; is no position</source>
+        <translation>“%1”, “%2” não é uma posição</translation>
     </message>
     <message>
         <source>A and B are %1 apart</source>
@@ -4317,6 +4424,22 @@
         <translation>Limite compactado</translation>
     </message>
     <message>
+        <source>a chunk of the recording has a wrong checksum</source>
+        <translation>um bloco da gravação tem uma soma de verificação errada</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is cut off</source>
+        <translation>um bloco da gravação está cortado</translation>
+    </message>
+    <message>
+        <source>a chunk of the recording is damaged</source>
+        <translation>um bloco da gravação está danificado</translation>
+    </message>
+    <message>
+        <source>a compressed chunk of the recording is damaged</source>
+        <translation>um bloco comprimido da gravação está danificado</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>uma coordenada não é um número</translation>
     </message>
@@ -4341,12 +4464,24 @@
         <translation>uma máquina é um objeto JSON</translation>
     </message>
     <message>
+        <source>a message is cut off</source>
+        <translation>uma mensagem está cortada</translation>
+    </message>
+    <message>
+        <source>a message is not plain CDR</source>
+        <translation>uma mensagem não é CDR simples</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>um número</translation>
     </message>
     <message>
         <source>a number is too large to be read</source>
         <translation>um número é grande demais para ser lido</translation>
+    </message>
+    <message>
+        <source>a part of it states %1 bytes, more than 256 MiB</source>
+        <translation>uma parte indica %1 bytes, mais de 256 MiB</translation>
     </message>
     <message>
         <source>a part of the boundary of &apos;%1&apos; is missing or another</source>
@@ -4363,6 +4498,10 @@
     <message>
         <source>a point or a line in WGS84 such as LINESTRING (4.1 52.0, 4.2 52.0)</source>
         <translation>um ponto ou uma linha em WGS84 como LINESTRING (4.1 52.0, 4.2 52.0)</translation>
+    </message>
+    <message>
+        <source>a record of the recording is damaged</source>
+        <translation>um registro da gravação está danificado</translation>
     </message>
     <message>
         <source>a sliver of %1 was left out</source>
@@ -4437,6 +4576,14 @@
         <translation>verifique o caminho</translation>
     </message>
     <message>
+        <source>check the width and how far the edge lies from the line</source>
+        <translation>verifique a largura e a distância da borda até a linha</translation>
+    </message>
+    <message>
+        <source>check the width of the implement, or take the track as driven around the field</source>
+        <translation>verifique a largura do implemento ou tome o percurso como volta ao redor do talhão</translation>
+    </message>
+    <message>
         <source>choose a narrower headland or a narrower machine</source>
         <translation>escolha uma cabeceira ou uma máquina mais estreita</translation>
     </message>
@@ -4469,8 +4616,16 @@
         <translation>curvas de nível precisam de altitudes</translation>
     </message>
     <message>
+        <source>copy it again, or mend it with &apos;mcap recover&apos; or sqlite3&apos;s &apos;.recover&apos;</source>
+        <translation>copie de novo ou repare com “mcap recover” ou “.recover” do sqlite3</translation>
+    </message>
+    <message>
         <source>copy or export it again</source>
         <translation>copie ou exporte de novo</translation>
+    </message>
+    <message>
+        <source>copy or export the recording again</source>
+        <translation>copie ou exporte a gravação de novo</translation>
     </message>
     <message>
         <source>copy the whole folder</source>
@@ -4483,6 +4638,18 @@
     <message>
         <source>correct or delete this point in the file</source>
         <translation>corrija ou exclua este ponto no arquivo</translation>
+    </message>
+    <message>
+        <source>correct or remove the line</source>
+        <translation>corrija ou remova a linha</translation>
+    </message>
+    <message>
+        <source>correct or remove the point</source>
+        <translation>corrija ou remova o ponto</translation>
+    </message>
+    <message>
+        <source>correct the line, or export the track in WGS84</source>
+        <translation>corrija a linha ou exporte o percurso em WGS84</translation>
     </message>
     <message>
         <source>could not be read: %1</source>
@@ -4549,6 +4716,10 @@
         <translation>desenhe ou abra um primeiro na janela</translation>
     </message>
     <message>
+        <source>drive on to where the recording began, or take the track as worked land</source>
+        <translation>siga até onde a gravação começou ou tome o percurso como terra trabalhada</translation>
+    </message>
+    <message>
         <source>export fewer fields at once</source>
         <translation>exporte menos talhões de cada vez</translation>
     </message>
@@ -4585,6 +4756,10 @@
         <translation>exporte os talhões de novo em um único sistema de coordenadas</translation>
     </message>
     <message>
+        <source>export the recorded track, not only its waypoints</source>
+        <translation>exporte o percurso gravado, não só os pontos de passagem</translation>
+    </message>
+    <message>
         <source>feature %1</source>
         <translation>objeto %1</translation>
     </message>
@@ -4617,6 +4792,10 @@
         <translation>informe 0 m ou mais</translation>
     </message>
     <message>
+        <source>give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2</source>
+        <translation>informe GPX, CSV, um registro NMEA ou gpsd, dados de tarefas ISOXML (pasta, TASKDATA.XML ou zip) ou um rosbag2</translation>
+    </message>
+    <message>
         <source>give GeoJSON, a shapefile (.shp or .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT or CSV</source>
         <translation>informe GeoJSON, um shapefile (.shp ou .zip), TASKDATA.XML, KML, KMZ, GeoPackage, GML, FlatGeobuf, DXF, WKT ou CSV</translation>
     </message>
@@ -4627,6 +4806,22 @@
     <message>
         <source>give a buffer of 0 m or more</source>
         <translation>informe uma distância de 0 m ou mais</translation>
+    </message>
+    <message>
+        <source>give a distance up to 50 m</source>
+        <translation>informe uma distância de até 50 m</translation>
+    </message>
+    <message>
+        <source>give a gap up to 100 m</source>
+        <translation>informe uma lacuna de até 100 m</translation>
+    </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>informe um plano e um percurso do mesmo talhão</translation>
+    </message>
+    <message>
+        <source>give a width up to 100 m</source>
+        <translation>informe uma largura de até 100 m</translation>
     </message>
     <message>
         <source>give an overhang of 0 to 100 m</source>
@@ -4785,6 +4980,10 @@
         <translation>informe a pasta de uma gravação</translation>
     </message>
     <message>
+        <source>give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file</source>
+        <translation>informe a pasta ou o zip com TASKDATA.XML e seus arquivos TLG, uma pasta de rosbag2 ou um arquivo</translation>
+    </message>
+    <message>
         <source>give the points in degrees (WGS84), longitude in lon and latitude in lat</source>
         <translation>informe os pontos em graus (WGS84), longitude em lon e latitude em lat</translation>
     </message>
@@ -4795,6 +4994,10 @@
     <message>
         <source>give two points at least 1 m apart</source>
         <translation>informe dois pontos separados por pelo menos 1 m</translation>
+    </message>
+    <message>
+        <source>give x_m and y_m in the plan&apos;s frame, or longitude and latitude</source>
+        <translation>informe x_m e y_m no sistema do plano, ou longitude e latitude</translation>
     </message>
     <message>
         <source>guidance lines without two points</source>
@@ -4861,6 +5064,10 @@
         <translation>contém mais de %1 arquivos</translation>
     </message>
     <message>
+        <source>it holds more than %1 positions</source>
+        <translation>contém mais de %1 posições</translation>
+    </message>
+    <message>
         <source>it is a line at %1 without a width</source>
         <translation>é uma linha em %1 sem largura</translation>
     </message>
@@ -4875,6 +5082,10 @@
     <message>
         <source>it is no raster of heights</source>
         <translation>não é um raster de altitudes</translation>
+    </message>
+    <message>
+        <source>it is no rosbag2 that can be read (%1)</source>
+        <translation>não é um rosbag2 legível (%1)</translation>
     </message>
     <message>
         <source>it is not a length</source>
@@ -4911,6 +5122,10 @@
     <message>
         <source>its buffer is not a length</source>
         <translation>sua distância não é um comprimento</translation>
+    </message>
+    <message>
+        <source>its compression &apos;%1&apos; is not known</source>
+        <translation>a compressão “%1” não é conhecida</translation>
     </message>
     <message>
         <source>its overhang is not a length from 0 to 100 m</source>
@@ -4997,8 +5212,20 @@
         <translation>linhas que não orientam nada</translation>
     </message>
     <message>
+        <source>lon=&quot;%1&quot; lat=&quot;%2&quot; is no place on Earth</source>
+        <translation>lon=&quot;%1&quot; lat=&quot;%2&quot; não é um lugar na Terra</translation>
+    </message>
+    <message>
         <source>look for a missing comma, quote or brace just before it</source>
         <translation>procure logo antes uma vírgula, aspas ou chave que falte</translation>
+    </message>
+    <message>
+        <source>most of its lines are not JSON</source>
+        <translation>a maioria das linhas não é JSON</translation>
+    </message>
+    <message>
+        <source>most of its sentences have a wrong checksum</source>
+        <translation>a maioria das sentenças tem uma soma de verificação errada</translation>
     </message>
     <message>
         <source>move one of the points there, so that it is clear which side is field</source>
@@ -5029,6 +5256,10 @@
         <translation>nomeie as colunas na primeira linha</translation>
     </message>
     <message>
+        <source>name the columns, for example time,lon,lat,speed_kmh in the first line</source>
+        <translation>dê nome às colunas, por exemplo time,lon,lat,speed_kmh na primeira linha</translation>
+    </message>
+    <message>
         <source>name the folder of a plan, as furrow-cli plan writes it</source>
         <translation>informe a pasta de um plano, como furrow-cli plan a grava</translation>
     </message>
@@ -5041,12 +5272,44 @@
         <translation>não é possível ler limite deste arquivo (%1)</translation>
     </message>
     <message>
+        <source>no header names a longitude and a latitude (or x_m and y_m)</source>
+        <translation>nenhum cabeçalho indica longitude e latitude (ou x_m e y_m)</translation>
+    </message>
+    <message>
         <source>no pixel of the picture is worked</source>
         <translation>nenhum pixel da imagem está trabalhado</translation>
     </message>
     <message>
+        <source>no row of this table has a position</source>
+        <translation>nenhuma linha desta tabela tem posição</translation>
+    </message>
+    <message>
         <source>no swath fits inside the headland</source>
         <translation>não cabe nenhuma passada no interior do talhão</translation>
+    </message>
+    <message>
+        <source>no topic of this bag has a position</source>
+        <translation>nenhum tópico deste bag tem posição</translation>
+    </message>
+    <message>
+        <source>none of its %1 RMC and GGA sentences has a position</source>
+        <translation>nenhuma das %1 sentenças RMC e GGA tem posição</translation>
+    </message>
+    <message>
+        <source>none of its %1 position reports has a position</source>
+        <translation>nenhum dos %1 relatórios de posição tem posição</translation>
+    </message>
+    <message>
+        <source>none of its %1 time logs holds a position</source>
+        <translation>nenhum dos %1 registros de tempo contém posições</translation>
+    </message>
+    <message>
+        <source>none of the tracks has more than one position</source>
+        <translation>nenhum dos percursos tem mais de uma posição</translation>
+    </message>
+    <message>
+        <source>nothing is left of the land inside of this track</source>
+        <translation>não sobra nada da terra dentro deste percurso</translation>
     </message>
     <message>
         <source>obstacle %1</source>
@@ -5083,6 +5346,10 @@
     <message>
         <source>open it with a newer Furrow; the file was left as it is</source>
         <translation>abra com um Furrow mais novo; o arquivo ficou como estava</translation>
+    </message>
+    <message>
+        <source>open the field of that plan first, or record longitude and latitude</source>
+        <translation>abra primeiro o talhão desse plano ou grave longitude e latitude</translation>
     </message>
     <message>
         <source>opennav_coverage goal</source>
@@ -5129,12 +5396,40 @@
         <translation>ponha o código EPSG no nome, como field_EPSG32632.dxf</translation>
     </message>
     <message>
+        <source>record %1 has a value that its header does not name</source>
+        <translation>o registro %1 tem um valor que o cabeçalho não indica</translation>
+    </message>
+    <message>
+        <source>record a position every second, or every few metres</source>
+        <translation>grave uma posição a cada segundo ou a cada poucos metros</translation>
+    </message>
+    <message>
         <source>record or draw its boundary first</source>
         <translation>grave ou desenhe primeiro o limite</translation>
     </message>
     <message>
         <source>record or export it again</source>
         <translation>grave ou exporte de novo</translation>
+    </message>
+    <message>
+        <source>record sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped or nav_msgs/Path</source>
+        <translation>grave sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped ou nav_msgs/Path</translation>
+    </message>
+    <message>
+        <source>record the log again with a receiver that has a fix</source>
+        <translation>grave de novo com um receptor que conheça sua posição</translation>
+    </message>
+    <message>
+        <source>record the positions without pictures and point clouds</source>
+        <translation>grave as posições sem imagens nem nuvens de pontos</translation>
+    </message>
+    <message>
+        <source>record with a correction signal (EGNOS, RTK), or under an open sky</source>
+        <translation>grave com sinal de correção (EGNOS, RTK) ou a céu aberto</translation>
+    </message>
+    <message>
+        <source>record with zstd, lz4 or no compression</source>
+        <translation>grave com zstd, lz4 ou sem compressão</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
@@ -5221,8 +5516,20 @@
         <translation>tire a proteção contra gravação do pen drive</translation>
     </message>
     <message>
+        <source>take the track as driven around the field, or record the work</source>
+        <translation>tome o percurso como volta ao redor do talhão ou grave o trabalho</translation>
+    </message>
+    <message>
         <source>the .shx file that belongs to it is missing</source>
         <translation>falta o arquivo .shx correspondente</translation>
+    </message>
+    <message>
+        <source>the GPX file is damaged (%1)</source>
+        <translation>o arquivo GPX está danificado (%1)</translation>
+    </message>
+    <message>
+        <source>the GPX file is larger than 256 MiB</source>
+        <translation>o arquivo GPX é maior que 256 MiB</translation>
     </message>
     <message>
         <source>the boundary</source>
@@ -5259,6 +5566,10 @@
     <message>
         <source>the curves from line %1 on are left out: it is damaged</source>
         <translation>as curvas a partir da linha %1 ficam de fora: ela está danificada</translation>
+    </message>
+    <message>
+        <source>the edge cannot lie that far from the line</source>
+        <translation>a borda não pode ficar tão longe da linha</translation>
     </message>
     <message>
         <source>the end</source>
@@ -5321,6 +5632,10 @@
         <translation>o arquivo está vazio</translation>
     </message>
     <message>
+        <source>the file is empty or cannot be read</source>
+        <translation>o arquivo está vazio ou não pode ser lido</translation>
+    </message>
+    <message>
         <source>the file is larger than 1 GiB</source>
         <translation>o arquivo é maior que 1 GiB</translation>
     </message>
@@ -5337,12 +5652,28 @@
         <translation>não é possível ler a pasta ou o zip</translation>
     </message>
     <message>
+        <source>the gap is out of range</source>
+        <translation>a lacuna está fora do intervalo</translation>
+    </message>
+    <message>
         <source>the headland is left out: line %1 is damaged</source>
         <translation>a cabeceira fica de fora: a linha %1 está danificada</translation>
     </message>
     <message>
         <source>the headland of edge %1</source>
         <translation>a cabeceira do lado %1</translation>
+    </message>
+    <message>
+        <source>the implement was nowhere down on this track</source>
+        <translation>o implemento não esteve abaixado em nenhum ponto deste percurso</translation>
+    </message>
+    <message>
+        <source>the log is cut off in record %1</source>
+        <translation>o registro está cortado na entrada %1</translation>
+    </message>
+    <message>
+        <source>the operating width is out of range</source>
+        <translation>a largura de trabalho está fora do intervalo</translation>
     </message>
     <message>
         <source>the overhang of edge %1</source>
@@ -5425,12 +5756,24 @@
         <translation>o plano não diz por quê</translation>
     </message>
     <message>
+        <source>the positions of this track are metres in the plan that was driven, not places on Earth</source>
+        <translation>as posições deste percurso são metros no plano seguido, e não lugares na Terra</translation>
+    </message>
+    <message>
         <source>the recorded path is left out: it is damaged</source>
         <translation>o percurso gravado fica de fora: está danificado</translation>
     </message>
     <message>
         <source>the recording cannot be made: %1</source>
         <translation>não é possível criar a gravação: %1</translation>
+    </message>
+    <message>
+        <source>the recording is cut off in the middle of a record</source>
+        <translation>a gravação está cortada no meio de um registro</translation>
+    </message>
+    <message>
+        <source>the recording is cut off: its end is missing</source>
+        <translation>a gravação está cortada: falta o fim</translation>
     </message>
     <message>
         <source>the sample field cannot be read</source>
@@ -5461,12 +5804,31 @@
         <translation>o pen drive está protegido contra gravação</translation>
     </message>
     <message>
+        <source>the strips of this track lie nowhere beside each other</source>
+        <translation>as faixas deste percurso não ficam lado a lado em nenhum ponto</translation>
+    </message>
+    <message>
         <source>the swaths are left out: %1</source>
         <translation>as passadas ficam de fora: %1</translation>
     </message>
     <message>
         <source>the table has neither a column WKT nor columns lon and lat</source>
         <translation>a tabela não tem coluna WKT nem colunas lon e lat</translation>
+    </message>
+    <message>
+        <source>the track does not come to the plan anywhere</source>
+        <translation>o percurso não chega ao plano em nenhum ponto</translation>
+    </message>
+    <message>
+        <source>the track goes around nothing: from its end to its beginning %1 are missing</source>
+        <translation>o percurso não contorna nada: faltam %1 do fim até o início</translation>
+    </message>
+    <message numerus="yes">
+        <source>the track has %n positions only</source>
+        <translation>
+            <numerusform>o percurso só tem %n posição</numerusform>
+            <numerusform>o percurso só tem %n posições</numerusform>
+        </translation>
     </message>
     <message>
         <source>the transfer after %1</source>
@@ -5561,6 +5923,10 @@
         <translation>não há formato de projeto %1</translation>
     </message>
     <message>
+        <source>there is no recorded track in it</source>
+        <translation>não há percurso gravado nele</translation>
+    </message>
+    <message>
         <source>there is no setting &apos;%1&apos;</source>
         <translation>não há configuração “%1”</translation>
     </message>
@@ -5577,6 +5943,14 @@
         <translation>não há terminal “%1”</translation>
     </message>
     <message>
+        <source>there is no track in this GPX file</source>
+        <translation>não há percurso neste arquivo GPX</translation>
+    </message>
+    <message>
+        <source>this XML file is cut off</source>
+        <translation>este arquivo XML está cortado</translation>
+    </message>
+    <message>
         <source>this XML is no task data</source>
         <translation>este XML não são dados de tarefa</translation>
     </message>
@@ -5589,16 +5963,32 @@
         <translation>este formato contém o percurso de um plano, e há só um talhão</translation>
     </message>
     <message>
+        <source>this is a bag of ROS 1</source>
+        <translation>este é um bag do ROS 1</translation>
+    </message>
+    <message>
         <source>this is a folder</source>
         <translation>isto é uma pasta</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file of version 0</source>
+        <translation>não é um arquivo MCAP da versão 0</translation>
     </message>
     <message>
         <source>this is no boundary file that can be read</source>
         <translation>não é um arquivo de limites que possa ser lido</translation>
     </message>
     <message>
+        <source>this is no header of a time log</source>
+        <translation>não é o cabeçalho de um registro de tempo</translation>
+    </message>
+    <message>
         <source>this is no ordinary file</source>
         <translation>não é um arquivo comum</translation>
+    </message>
+    <message>
+        <source>this is no track that can be read</source>
+        <translation>não é um percurso legível</translation>
     </message>
     <message>
         <source>this is no zip of fields or recordings</source>
@@ -5641,12 +6031,20 @@
         <translation>este projeto foi salvo por um Furrow mais novo (formato %1, este conhece %2)</translation>
     </message>
     <message>
+        <source>topic %1 was left out for %2</source>
+        <translation>o tópico %1 ficou de fora em favor de %2</translation>
+    </message>
+    <message>
         <source>true or false</source>
         <translation>true ou false</translation>
     </message>
     <message>
         <source>try another stick</source>
         <translation>tente outro pen drive</translation>
+    </message>
+    <message>
+        <source>turn it into a rosbag2 with rosbags-convert</source>
+        <translation>converta-o em um rosbag2 com rosbags-convert</translation>
     </message>
     <message>
         <source>two points</source>

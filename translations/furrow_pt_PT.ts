@@ -239,6 +239,14 @@
         <translation>%1 está prevista, mas só %2 dela é percorrido com a alfaia abaixada.</translation>
     </message>
     <message>
+        <source>%1 of its sentences have a wrong checksum</source>
+        <translation>%1 das suas sentenças têm uma soma de verificação errada</translation>
+    </message>
+    <message>
+        <source>%1, %2 is more than 1,000 km from the plan</source>
+        <translation>%1, %2 está a mais de 1.000 km do plano</translation>
+    </message>
+    <message>
         <source>%1, %2 is no longitude and latitude, and the file does not say which coordinate system it uses</source>
         <translation>%1, %2 não é longitude e latitude, e o ficheiro não diz qual sistema de coordenadas usa</translation>
     </message>
@@ -252,6 +260,17 @@
             <numerusform>%n área no ficheiro não é talhão nem obstáculo e não foi usada</numerusform>
             <numerusform>%n áreas no ficheiro não são talhão nem obstáculo e não foram usadas</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n records without a position were passed over</source>
+        <translation>
+            <numerusform>%n registo sem posição foi ignorado</numerusform>
+            <numerusform>%n registos sem posição foram ignorados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; files hold no recorded track</source>
+        <translation>ficheiros “%1” não contêm nenhum percurso gravado</translation>
     </message>
     <message>
         <source>A file of lines: planted rows, or the tramlines of a plan.</source>
@@ -450,12 +469,24 @@
         <translation>Limite comprimido</translation>
     </message>
     <message>
+        <source>a chunk of the recording has a wrong checksum</source>
+        <translation>um bloco da gravação tem uma soma de verificação errada</translation>
+    </message>
+    <message>
+        <source>a record of the recording is damaged</source>
+        <translation>um registo da gravação está danificado</translation>
+    </message>
+    <message>
         <source>add the .prj file that belongs to it, or export the field again in WGS84</source>
         <translation>adicione o ficheiro .prj correspondente ou exporte o talhão de novo em WGS84</translation>
     </message>
     <message>
         <source>check the file&apos;s coordinate system</source>
         <translation>verifique o sistema de coordenadas do ficheiro</translation>
+    </message>
+    <message>
+        <source>check the width of the implement, or take the track as driven around the field</source>
+        <translation>verifique a largura da alfaia ou tome o percurso como volta ao redor do talhão</translation>
     </message>
     <message>
         <source>choose one by its number in the file: %1</source>
@@ -506,12 +537,20 @@
         <translation>libere espaço na pen USB</translation>
     </message>
     <message>
+        <source>give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2</source>
+        <translation>indique GPX, CSV, um registo NMEA ou gpsd, dados de tarefas ISOXML (pasta, TASKDATA.XML ou zip) ou um rosbag2</translation>
+    </message>
+    <message>
         <source>give a GeoTIFF, or a world file (.pgw) beside the PNG</source>
         <translation>indique um GeoTIFF ou um ficheiro de georreferência (.pgw) ao lado do PNG</translation>
     </message>
     <message>
         <source>give a curve that does not, or plan its parts apart</source>
         <translation>indique uma curva que não se cruze ou planeie as partes separadamente</translation>
+    </message>
+    <message>
+        <source>give a distance up to 50 m</source>
+        <translation>indique uma distância de até 50 m</translation>
     </message>
     <message>
         <source>give a file on a disk</source>
@@ -522,8 +561,20 @@
         <translation>indique um ficheiro com uma linha por fileira</translation>
     </message>
     <message>
+        <source>give a gap up to 100 m</source>
+        <translation>indique uma lacuna de até 100 m</translation>
+    </message>
+    <message>
         <source>give a machine file (JSON)</source>
         <translation>indique um ficheiro de máquina (JSON)</translation>
+    </message>
+    <message>
+        <source>give a plan and a track of the same field</source>
+        <translation>indique um plano e um percurso do mesmo talhão</translation>
+    </message>
+    <message>
+        <source>give a width up to 100 m</source>
+        <translation>indique uma largura de até 100 m</translation>
     </message>
     <message>
         <source>give it a kind, or remove it from the file</source>
@@ -544,6 +595,14 @@
     <message>
         <source>give the folder of one of these, or a file in it</source>
         <translation>indique a pasta de um deles ou um ficheiro nela</translation>
+    </message>
+    <message>
+        <source>give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file</source>
+        <translation>indique a pasta ou o zip com TASKDATA.XML e os seus ficheiros TLG, uma pasta de rosbag2 ou um ficheiro</translation>
+    </message>
+    <message>
+        <source>give x_m and y_m in the plan&apos;s frame, or longitude and latitude</source>
+        <translation>indique x_m e y_m no sistema do plano, ou longitude e latitude</translation>
     </message>
     <message>
         <source>it has another coordinate system than the file</source>
@@ -574,6 +633,10 @@
         <translation>o seu tipo &apos;%1&apos; não é conhecido</translation>
     </message>
     <message>
+        <source>most of its sentences have a wrong checksum</source>
+        <translation>a maioria das sentenças tem uma soma de verificação errada</translation>
+    </message>
+    <message>
         <source>move or delete it</source>
         <translation>mova ou elimine</translation>
     </message>
@@ -584,6 +647,10 @@
     <message>
         <source>no boundary can be read from this file (%1)</source>
         <translation>não é possível ler limite deste ficheiro (%1)</translation>
+    </message>
+    <message>
+        <source>none of its %1 time logs holds a position</source>
+        <translation>nenhum dos %1 registos de tempo contém posições</translation>
     </message>
     <message>
         <source>only files on this computer are read</source>
@@ -604,6 +671,14 @@
     <message>
         <source>plan the field first: furrow-cli plan FIELD --out plan</source>
         <translation>planeie primeiro o talhão: furrow-cli plan FIELD --out plan</translation>
+    </message>
+    <message>
+        <source>record %1 has a value that its header does not name</source>
+        <translation>o registo %1 tem um valor que o cabeçalho não indica</translation>
+    </message>
+    <message>
+        <source>record the log again with a receiver that has a fix</source>
+        <translation>grave de novo com um receptor que conheça a sua posição</translation>
     </message>
     <message>
         <source>remove it from the file, or add its field</source>
@@ -646,6 +721,14 @@
         <translation>falta o ficheiro .shx correspondente</translation>
     </message>
     <message>
+        <source>the GPX file is damaged (%1)</source>
+        <translation>o ficheiro GPX está danificado (%1)</translation>
+    </message>
+    <message>
+        <source>the GPX file is larger than 256 MiB</source>
+        <translation>o ficheiro GPX é maior que 256 MiB</translation>
+    </message>
+    <message>
         <source>the coordinate system that it names is not known</source>
         <translation>o sistema de coordenadas que indica não é conhecido</translation>
     </message>
@@ -674,6 +757,10 @@
         <translation>o ficheiro está vazio</translation>
     </message>
     <message>
+        <source>the file is empty or cannot be read</source>
+        <translation>o ficheiro está vazio ou não pode ser lido</translation>
+    </message>
+    <message>
         <source>the file is larger than 1 GiB</source>
         <translation>o ficheiro é maior que 1 GiB</translation>
     </message>
@@ -686,8 +773,20 @@
         <translation>o ficheiro pode estar cortado ou danificado; exporte de novo</translation>
     </message>
     <message>
+        <source>the implement was nowhere down on this track</source>
+        <translation>a alfaia não esteve baixada em nenhum ponto deste percurso</translation>
+    </message>
+    <message>
+        <source>the log is cut off in record %1</source>
+        <translation>o registo está cortado na entrada %1</translation>
+    </message>
+    <message>
         <source>the path of a file</source>
         <translation>o caminho de um ficheiro</translation>
+    </message>
+    <message>
+        <source>the recording is cut off in the middle of a record</source>
+        <translation>a gravação está cortada no meio de um registo</translation>
     </message>
     <message>
         <source>the stick does not answer any more (%1)</source>
@@ -722,8 +821,24 @@
         <translation>esse ficheiro não existe</translation>
     </message>
     <message>
+        <source>there is no track in this GPX file</source>
+        <translation>não há percurso neste ficheiro GPX</translation>
+    </message>
+    <message>
+        <source>this XML file is cut off</source>
+        <translation>este ficheiro XML está cortado</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file of version 0</source>
+        <translation>não é um ficheiro MCAP da versão 0</translation>
+    </message>
+    <message>
         <source>this is no boundary file that can be read</source>
         <translation>não é um ficheiro de limites que possa ser lido</translation>
+    </message>
+    <message>
+        <source>this is no header of a time log</source>
+        <translation>não é o cabeçalho de um registo de tempo</translation>
     </message>
     <message>
         <source>this is no ordinary file</source>
@@ -740,6 +855,10 @@
     <message>
         <source>try another stick</source>
         <translation>tente outra pen USB</translation>
+    </message>
+    <message>
+        <source>turn it into a rosbag2 with rosbags-convert</source>
+        <translation>converta-o num rosbag2 com rosbags-convert</translation>
     </message>
     <message>
         <source>use one of: %1; or give a machine file (.json)</source>

@@ -20,7 +20,7 @@ namespace {
 /// Literals that are no sentences: ids, file contents, names of makers, what only the command line says.
 bool isNoText(const QString& text) {
     static const QRegularExpression none{QString::fromUtf8(
-        "^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|tif png|log nmea|csv |# |SELECT|INSERT|CREATE|PRAGMA|SQLite format|AutoCAD Binary|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds)")};
+        "^(\\+proj|POLYGON|MULTIPOLYGON|LINESTRING|geojson json|xml zip|shp zip|gml xml|wkt txt|tif png|log nmea|csv |# |SELECT|INSERT|CREATE|PRAGMA|SQLite format|AutoCAD Binary|std_msgs|\\{:016|.*\\\\n| or $|plans cannot be written as|furrow-cli|Part \\{|transform|header|type:|EPSG|QGC|.* json$|\\+|-|map_frame|builtin|geometry_msgs|nav_msgs/|float|string |int|uint|.*ros2msg|byte|A\\+ |AB \\{|Headland \\{|Tramline \\{|\\{\\} [AB]|Swath \\{|ArduPilot Rover, |Case IH|CHC |Claas |Deutz|FJ |John Deere|Massey|M\\\\u00fcller|New Holland|Raven|Topcon|Trimble|Valtra|ESRI Shape|.*--field-id|the table holds|NMEA log|gpsd log|ISOXML time log|yield monitor|no memory|\\{\\}, segment)")};
     return none.match(text).hasMatch();
 }
 
@@ -119,11 +119,10 @@ void addNames(const QString& project, QMap<QString, bool>& texts) {
 }  // namespace
 
 bool isForPrograms(const QString& file) {
-    static const QStringList parts{"/evaluation/",  "/benchmarks/",    "/report/",       "/track/",
-                                   "/io/tracks/",   "_tracks.",        "/formats/logs/", "/track_reader",
-                                   "/written_path", "/rosbag_",        "/kml_writer",    "/gpx_writer",
-                                   "/dxf_writer",   "/guidance_lines", "/nav_path",      "/path_csv",
-                                   "/field_files",  "/core/message",   "/settings_file"};
+    static const QStringList parts{"/evaluation/",  "/benchmarks/", "/report/",     "/written_path",
+                                   "/kml_writer",   "/gpx_writer",  "/dxf_writer",  "/guidance_lines",
+                                   "/nav_path",     "/path_csv",    "/field_files", "/core/message",
+                                   "/settings_file"};
     return std::ranges::any_of(parts, [&file](const QString& part) { return file.contains(part); });
 }
 

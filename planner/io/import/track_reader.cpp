@@ -4,27 +4,24 @@
 #include "planner/io/formats/registry.h"
 #include "planner/io/tracks/track_parts.h"
 
-#include <format>
-
 namespace furrow {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kRemedy =
+constexpr const char* kRemedy =
     "give GPX, CSV, an NMEA or gpsd log, ISOXML task data (folder, TASKDATA.XML or zip) or a rosbag2";
 
 Error noTrack(const ChosenFile& chosen) {
     if (!chosen.isXml()) {
-        return trackRefused(chosen.path().string(), "this is no track that can be read",
-                            std::string{kRemedy});
+        return trackRefused(chosen.path().string(), "this is no track that can be read", kRemedy);
     }
     const std::string root = chosen.xmlRoot();
-    return trackRefused(
-        chosen.path().string(),
-        root.empty() ? "this XML file is cut off" : std::format("'{}' files hold no recorded track", root),
-        std::string{kRemedy});
+    return trackRefused(chosen.path().string(),
+                        root.empty() ? Message{"this XML file is cut off"}
+                                     : message("'{}' files hold no recorded track", root),
+                        kRemedy);
 }
 
 }  // namespace

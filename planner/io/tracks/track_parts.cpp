@@ -6,26 +6,26 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <format>
+#include <utility>
 
 namespace furrow {
 
-Error trackRefused(const std::string& where, std::string what, std::string remedy) {
+Error trackRefused(Message where, Message what, Message remedy) {
     return {.code = ErrorCode::InputRefused,
             .what = std::move(what),
-            .where = where,
+            .where = std::move(where),
             .remedy = std::move(remedy)};
 }
 
-Error trackDamaged(const std::string& where, std::string what) {
+Error trackDamaged(Message where, Message what) {
     return {.code = ErrorCode::ReadFailed,
             .what = std::move(what),
-            .where = where,
+            .where = std::move(where),
             .remedy = "copy or export the recording again"};
 }
 
-Error tooManySamples(const std::string& where) {
-    return trackRefused(where, std::format("it holds more than {} positions", kMostTrackSamples),
+Error tooManySamples(Message where) {
+    return trackRefused(std::move(where), message("it holds more than {} positions", kMostTrackSamples),
                         "cut it into the days or fields that it holds");
 }
 
@@ -89,9 +89,9 @@ std::optional<double> utcSeconds(std::string_view text) {
     return text[at] == '+' ? seconds - zone : seconds + zone;
 }
 
-void noteSkipped(TrackFile& file, std::size_t count, std::string_view what, const std::string& where) {
+void noteSkipped(TrackFile& file, std::size_t count, Message what, const Message& where) {
     if (count > 0) {
-        file.notes.push_back({.text = std::format("{} {} passed over", count, what), .where = where});
+        file.notes.push_back({.text = std::move(what), .where = where});
     }
 }
 

@@ -2,6 +2,7 @@
 
 // What the readers of recorded drives share.
 
+#include "planner/core/message.h"
 #include "planner/core/result.h"
 #include "planner/track/recorded_track.h"
 
@@ -15,9 +16,9 @@ namespace furrow {
 /// A month of positions ten times a second is 26 million; a field day is under a million.
 inline constexpr std::size_t kMostTrackSamples = 5'000'000;
 
-Error trackRefused(const std::string& where, std::string what, std::string remedy);
-Error trackDamaged(const std::string& where, std::string what);
-Error tooManySamples(const std::string& where);
+Error trackRefused(Message where, Message what, Message remedy);
+Error trackDamaged(Message where, Message what);
+Error tooManySamples(Message where);
 
 /// From degrees clockwise from north to radians counter-clockwise from east, in [0, 2 pi).
 double headingFromBearing(double bearingDeg);
@@ -25,7 +26,7 @@ double headingFromBearing(double bearingDeg);
 std::optional<double> utcSeconds(std::string_view text);
 /// Days from 1970-01-01 to a date of the Gregorian calendar, in seconds; nothing for no date.
 std::optional<double> utcMidnight(int year, unsigned month, unsigned day);
-/// "12 lines without a position were passed over", unless there was none.
-void noteSkipped(TrackFile& file, std::size_t count, std::string_view what, const std::string& where);
+/// Notes what was passed over, unless its count is 0.
+void noteSkipped(TrackFile& file, std::size_t count, Message what, const Message& where);
 
 }  // namespace furrow

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <format>
 #include <limits>
 #include <string>
 #include <vector>
@@ -252,8 +251,8 @@ private:
         const auto a = numberIn(first, layout_.separator != ',');
         const auto b = numberIn(second, layout_.separator != ',');
         if (!a || !b || !std::isfinite(*a) || !std::isfinite(*b)) {
-            return std::unexpected(trackRefused(std::format("{}, line {}", where_, number),
-                                                std::format("'{}', '{}' is no position", first, second),
+            return std::unexpected(trackRefused(message("{}, line {}", where_, number),
+                                                message("'{}', '{}' is no position", first, second),
                                                 "correct or remove the line"));
         }
         Row row{.a = *a, .b = *b, .line = number};
@@ -325,9 +324,9 @@ private:
             if (geographic ? !isOnEarth({row.a, row.b})
                            : std::abs(row.a) > kFarthestLocalM || std::abs(row.b) > kFarthestLocalM) {
                 return std::unexpected(trackRefused(
-                    std::format("{}, line {}", where_, row.line),
-                    geographic ? std::format("{}, {} is no longitude and latitude", row.a, row.b)
-                               : std::format("{}, {} is more than 1,000 km from the plan", row.a, row.b),
+                    message("{}, line {}", where_, row.line),
+                    geographic ? message("{}, {} is no longitude and latitude", row.a, row.b)
+                               : message("{}, {} is more than 1,000 km from the plan", row.a, row.b),
                     geographic ? "correct the line, or export the track in WGS84"
                                : "give x_m and y_m in the plan's frame, or longitude and latitude"));
             }
@@ -341,7 +340,10 @@ private:
         TrackFile file{
             .format = layout_.yieldMonitor ? "yield monitor text" : "table", .tracks = {}, .notes = {}};
         file.tracks.push_back(std::move(track));
-        noteSkipped(file, withoutPlace_, "rows without a position were", where_);
+        noteSkipped(file, withoutPlace_,
+                    counted("{} row without a position was passed over",
+                            "{} rows without a position were passed over", withoutPlace_),
+                    where_);
         return file;
     }
 

@@ -57,9 +57,9 @@ public:
             const double lat = numberIn(point.attribute("lat").as_string()).value_or(nan);
             if (!isOnEarth({lon, lat})) {
                 return std::unexpected(trackRefused(
-                    std::format("{}, {}, point {}", where_, name, track.samples.size() + 1),
-                    std::format("lon=\"{}\" lat=\"{}\" is no place on Earth",
-                                point.attribute("lon").as_string(), point.attribute("lat").as_string()),
+                    message("{}, {}, point {}", where_, name, track.samples.size() + 1),
+                    message("lon=\"{}\" lat=\"{}\" is no place on Earth", point.attribute("lon").as_string(),
+                            point.attribute("lat").as_string()),
                     "correct or remove the point"));
             }
             if (++count_ > kMostTrackSamples) {
@@ -101,9 +101,8 @@ Result<TrackFile> gpxTracks(std::string_view text, const std::string& where, con
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
     if (!parsed) {
-        return std::unexpected(
-            trackDamaged(std::format("{}, byte {}", where, parsed.offset),
-                         std::format("the GPX file is damaged ({})", parsed.description())));
+        return std::unexpected(trackDamaged(message("{}, byte {}", where, parsed.offset),
+                                            message("the GPX file is damaged ({})", parsed.description())));
     }
     GpxReader reader{where, job};
     const pugi::xml_node gpx = document.child("gpx");

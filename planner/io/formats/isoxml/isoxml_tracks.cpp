@@ -212,14 +212,14 @@ Result<RecordedTrack> readLog(std::string_view binary, const LogHeader& header, 
             const auto index = bytes.integer<std::uint8_t>();
             values.set(index, bytes.integer<std::int32_t>());
             if (index >= header.values.size()) {
-                return std::unexpected(trackDamaged(
-                    std::format("{}, byte {}", where, begin),
-                    std::format("record {} has a value that its header does not name", records)));
+                return std::unexpected(
+                    trackDamaged(message("{}, byte {}", where, begin),
+                                 message("record {} has a value that its header does not name", records)));
             }
         }
         if (!bytes.ok()) {
-            return std::unexpected(trackDamaged(std::format("{}, byte {}", where, begin),
-                                                std::format("the log is cut off in record {}", records)));
+            return std::unexpected(trackDamaged(message("{}, byte {}", where, begin),
+                                                message("the log is cut off in record {}", records)));
         }
         if (!stamp.hasPlace()) {
             ++counts.withoutPlace;
@@ -294,7 +294,7 @@ Result<TrackFile> isoxmlTracks(const FileFolder& folder, const std::string& wher
         const std::string stem = stemOf(entry);
         const FileFolder::Entry* records = folder.find(entry.folder, stem + ".bin");
         if (records == nullptr) {
-            file.notes.push_back({.text = std::format("{}.bin is not there", stem), .where = where});
+            file.notes.push_back({.text = message("{}.bin is not there", stem), .where = where});
             continue;
         }
         const auto xml = folder.read(entry);
@@ -307,7 +307,7 @@ Result<TrackFile> isoxmlTracks(const FileFolder& folder, const std::string& wher
             return std::unexpected(header.error());
         }
         if (!header->hasPlaces()) {
-            file.notes.push_back({.text = std::format("{} holds no positions", stem), .where = where});
+            file.notes.push_back({.text = message("{} holds no positions", stem), .where = where});
             continue;
         }
         auto track = readLog(*binary, *header, folder.placeOf(*records), counts, job);
@@ -331,11 +331,14 @@ Result<TrackFile> isoxmlTracks(const FileFolder& folder, const std::string& wher
     if (file.tracks.empty()) {
         return std::unexpected(trackRefused(
             where,
-            logs == 0 ? std::string{"there is no recorded track in it"}
-                      : std::format("none of its {} time logs holds a position", logs),
+            logs == 0 ? Message{"there is no recorded track in it"}
+                      : message("none of its {} time logs holds a position", logs),
             "give the folder or zip with TASKDATA.XML and its TLG files, a rosbag2 folder, or one file"));
     }
-    noteSkipped(file, counts.withoutPlace, "records without a position were", where);
+    noteSkipped(file, counts.withoutPlace,
+                counted("{} record without a position was passed over",
+                        "{} records without a position were passed over", counts.withoutPlace),
+                where);
     return file;
 }
 

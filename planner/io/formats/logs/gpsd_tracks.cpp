@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <format>
 
 namespace furrow {
 
@@ -97,15 +96,20 @@ Result<TrackFile> gpsdTracks(std::string_view text, const std::string& where, co
     }
     if (track.samples.empty()) {
         return std::unexpected(
-            trackRefused(where, std::format("none of its {} position reports has a position", reports),
+            trackRefused(where, message("none of its {} position reports has a position", reports),
                          "record the log again with a receiver that has a fix"));
     }
     if (damaged > reports) {
         return std::unexpected(trackDamaged(where, "most of its lines are not JSON"));
     }
     file.tracks.push_back(std::move(track));
-    noteSkipped(file, damaged, "damaged lines were", where);
-    noteSkipped(file, withoutFix, "reports without a position were", where);
+    noteSkipped(file, damaged,
+                counted("{} damaged line was passed over", "{} damaged lines were passed over", damaged),
+                where);
+    noteSkipped(file, withoutFix,
+                counted("{} report without a position was passed over",
+                        "{} reports without a position were passed over", withoutFix),
+                where);
     return file;
 }
 

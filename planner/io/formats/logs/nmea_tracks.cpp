@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <format>
 #include <vector>
 
 namespace furrow {
@@ -212,9 +211,9 @@ Result<TrackFile> nmeaTracks(std::string_view text, const std::string& where, co
     if (track.samples.empty()) {
         return std::unexpected(
             damagedCount > 0
-                ? trackDamaged(where, std::format("{} of its sentences have a wrong checksum", damagedCount))
+                ? trackDamaged(where, message("{} of its sentences have a wrong checksum", damagedCount))
                 : trackRefused(where,
-                               std::format("none of its {} RMC and GGA sentences has a position", sentences),
+                               message("none of its {} RMC and GGA sentences has a position", sentences),
                                "record the log again with a receiver that has a fix"));
     }
     if (damagedCount > sentences) {
@@ -222,8 +221,14 @@ Result<TrackFile> nmeaTracks(std::string_view text, const std::string& where, co
     }
     TrackFile file{.format = "NMEA log", .tracks = {}, .notes = {}};
     file.tracks.push_back(std::move(track));
-    noteSkipped(file, damagedCount, "sentences with a wrong checksum were", where);
-    noteSkipped(file, withoutFix, "sentences without a position were", where);
+    noteSkipped(file, damagedCount,
+                counted("{} sentence with a wrong checksum was passed over",
+                        "{} sentences with a wrong checksum were passed over", damagedCount),
+                where);
+    noteSkipped(file, withoutFix,
+                counted("{} sentence without a position was passed over",
+                        "{} sentences without a position were passed over", withoutFix),
+                where);
     return file;
 }
 

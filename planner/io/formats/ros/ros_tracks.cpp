@@ -11,7 +11,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <format>
 #include <map>
 
 namespace furrow {
@@ -161,20 +160,20 @@ class BagTracks {
 public:
     explicit BagTracks(const std::string& where) : where_{where} {}
 
-    Result<void> add(const BagMessage& message) {
-        const std::size_t rank = rankOf(message.type).value_or(0);
-        Topic& topic = topics_[std::string{message.topic}];
-        topic.name = message.topic;
+    Result<void> add(const BagMessage& sent) {
+        const std::size_t rank = rankOf(sent.type).value_or(0);
+        Topic& topic = topics_[std::string{sent.topic}];
+        topic.name = sent.topic;
         topic.rank = rank;
-        const auto order = orderOf(message.data);
+        const auto order = orderOf(sent.data);
         if (!order) {
             return std::unexpected(
-                trackDamaged(std::format("{}, {}", where_, message.topic), "a message is not plain CDR"));
+                trackDamaged(message("{}, {}", where_, sent.topic), "a message is not plain CDR"));
         }
-        ByteReader bytes{message.data.substr(4), *order};
-        if (!kTypes[rank].decode(bytes, 1e-9 * static_cast<double>(message.recordedNs), topic)) {
+        ByteReader bytes{sent.data.substr(4), *order};
+        if (!kTypes[rank].decode(bytes, 1e-9 * static_cast<double>(sent.recordedNs), topic)) {
             return std::unexpected(
-                trackDamaged(std::format("{}, {}", where_, message.topic), "a message is cut off"));
+                trackDamaged(message("{}, {}", where_, sent.topic), "a message is cut off"));
         }
         return topic.samples.size() > kMostTrackSamples ? std::unexpected(tooManySamples(where_))
                                                         : Result<void>{};
@@ -198,10 +197,13 @@ public:
         for (const auto& [name, topic] : topics_) {
             if (&topic != best) {
                 file.notes.push_back(
-                    {.text = std::format("topic {} was left out for {}", name, best->name), .where = where_});
+                    {.text = message("topic {} was left out for {}", name, best->name), .where = where_});
             }
         }
-        noteSkipped(file, best->withoutPlace, "messages without a position were", where_);
+        noteSkipped(file, best->withoutPlace,
+                    counted("{} message without a position was passed over",
+                            "{} messages without a position were passed over", best->withoutPlace),
+                    where_);
         file.tracks.push_back(
             {.source = best->name, .places = kTypes[best->rank].places, .samples = std::move(best->samples)});
         return file;
