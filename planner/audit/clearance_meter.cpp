@@ -16,15 +16,6 @@ constexpr double kFarM = 1000.0;
 // An intrusion without any corner of the footprint outside. It is too small to measure, but exists.
 constexpr double kLeastIntrusionM = 1e-3;
 
-Bounds grown(const Ring& ring, double by) {
-    Bounds box{.min = ring.front(), .max = ring.front()};
-    for (const Point& point : ring) {
-        box.min = {std::min(box.min.x, point.x), std::min(box.min.y, point.y)};
-        box.max = {std::max(box.max.x, point.x), std::max(box.max.y, point.y)};
-    }
-    return {.min = box.min - Point{by, by}, .max = box.max + Point{by, by}};
-}
-
 struct Nearest {
     double distance;
     Point place;  ///< on the hull's side
@@ -75,7 +66,7 @@ Point middleAcross(const Ring& hull, const std::vector<Edge>& edges, Point from,
 bool ClearanceMeter::measure(const Ring& hull, double limit, SegmentClearance& found) const {
     Nearest nearest{.distance = limit, .place = {}};
     std::vector<Edge> intruding;
-    edges_.visitNear(grown(hull, limit), [&](const Edge& edge) {
+    edges_.visitNear(widened(bounds(hull), limit), [&](const Edge& edge) {
         if (partInside(hull, edge, kMeetM)) {
             intruding.push_back(edge);
         } else {

@@ -33,10 +33,6 @@ std::vector<Point> pointsAlong(const Polyline& line) {
     return points;
 }
 
-Bounds boxAround(std::span<const Point> points) {
-    return bounds({{.outer = {points.begin(), points.end()}, .holes = {}}});
-}
-
 bool isNear(const Bounds& box, Point point, double near) {
     return point.x > box.min.x - near && point.x < box.max.x + near && point.y > box.min.y - near &&
            point.y < box.max.y + near;
@@ -45,10 +41,10 @@ bool isNear(const Bounds& box, Point point, double near) {
 /// A line of many points, with a box around every few of its edges.
 class BoxedLine {
 public:
-    explicit BoxedLine(std::vector<Point> points) : points_{std::move(points)}, all_{boxAround(points_)} {
+    explicit BoxedLine(std::vector<Point> points) : points_{std::move(points)}, all_{bounds(points_)} {
         for (std::size_t first = 0; first + 1 < points_.size(); first += kEdges) {
             const std::size_t end = std::min(first + kEdges + 1, points_.size());
-            boxes_.push_back(boxAround(std::span{points_}.subspan(first, end - first)));
+            boxes_.push_back(bounds(std::span{points_}.subspan(first, end - first)));
         }
     }
 

@@ -43,7 +43,7 @@ Message segmentName(const AuditInput& input, std::size_t index) {
 
 /// A place inside: the middle of the longest cut at half height.
 Point placeInside(const Polygon& polygon) {
-    const Bounds box = bounds({polygon});
+    const Bounds box = bounds(polygon);
     const double y = 0.5 * (box.min.y + box.max.y);
     std::vector<double> crossings;
     forEachEdge({polygon}, [&](Point a, Point b) {

@@ -331,10 +331,9 @@ Result<MultiPolygon> withoutHairs(MultiPolygon pieces, Length hair, KnownPieces&
 }
 
 bool liesIn(const Polygon& part, const Polygon& whole) {
-    const Bounds inner = bounds({part});
-    const Bounds outer = bounds({whole});
-    return inner.min.x >= outer.min.x && inner.max.x <= outer.max.x && inner.min.y >= outer.min.y &&
-           inner.max.y <= outer.max.y;
+    const Bounds inner = bounds(part);
+    const Bounds outer = bounds(whole);
+    return contains(outer, inner.min) && contains(outer, inner.max);
 }
 
 /// If too much was dropped, keeps only the parts with room for the machine to work. A trailed implement can

@@ -30,8 +30,7 @@ public:
         for (const SweptPiece& piece : pieces) {
             const Bounds box = boxOf(piece.ring);
             boxes_.push_back(box);
-            all = {.min = {std::min(all.min.x, box.min.x), std::min(all.min.y, box.min.y)},
-                   .max = {std::max(all.max.x, box.max.x), std::max(all.max.y, box.max.y)}};
+            all = joined(all, box);
         }
         if (pieces.empty()) {
             return;
@@ -71,8 +70,7 @@ private:
         Bounds box = kNothing;
         for (const Point& point : ring) {
             const Point at{dot(point, along_), cross(along_, point)};
-            box.min = {std::min(box.min.x, at.x), std::min(box.min.y, at.y)};
-            box.max = {std::max(box.max.x, at.x), std::max(box.max.y, at.y)};
+            box = joined(box, {at, at});
         }
         return box;
     }

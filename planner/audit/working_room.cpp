@@ -198,8 +198,7 @@ bool WorkingRoom::reachesAhead(Point place, Point nose, const std::vector<Edge>&
     for (const Edge& edge : edges) {
         const Edge seen{{dot(edge.from - place, nose), dot(edge.from - place, left)},
                         {dot(edge.to - place, nose), dot(edge.to - place, left)}};
-        const Bounds box{.min = {std::min(seen.from.x, seen.to.x), std::min(seen.from.y, seen.to.y)},
-                         .max = {std::max(seen.from.x, seen.to.x), std::max(seen.from.y, seen.to.y)}};
+        const Bounds box = bounds(seen.from, seen.to);
         for (const auto& [part, around] : sweep) {
             // Edges before or behind the part, and those that it only meets farther aside than it may be.
             if (box.max.x < around.min.x || box.min.x > around.max.x ||
@@ -226,7 +225,7 @@ namespace {
 
 /// Squares over the parts of a polygon within reach, neighbours as one. Empty if all of it is within reach.
 std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const WorkingRoom& room, double sizeM) {
-    const Bounds box = bounds({polygon});
+    const Bounds box = bounds(polygon);
     MultiPolygon squares;
     WorkingRoom::Hint hint;
     bool isWhole = true;

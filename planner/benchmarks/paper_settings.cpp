@@ -62,7 +62,7 @@ Result<Settings> paperSettings(std::initializer_list<std::pair<std::string_view,
 }
 
 Polygon scaledTo(const Polygon& outline, Area wanted) {
-    const Bounds box = bounds({outline});
+    const Bounds box = bounds(outline);
     const Point middle = 0.5 * (box.min + box.max);
     const double factor = std::sqrt(wanted / area(outline));
     Polygon scaled;

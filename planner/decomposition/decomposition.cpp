@@ -71,7 +71,7 @@ public:
         std::vector<Bounds> boxes;
         forEachEdge(mainland, [&](Point a, Point b) {
             edges_.emplace_back(a, b);
-            boxes.push_back(boundsOf(a, b));
+            boxes.push_back(bounds(a, b));
         });
         tree_ = BoxTree{boxes};
     }
@@ -172,7 +172,7 @@ Result<LevelCells> levelCells(const MultiPolygon& mainland, bool atEveryCorner, 
         level.cells = std::move(*cells);
     }
     std::ranges::sort(level.cells, {}, [](const Polygon& cell) {
-        const Bounds box = bounds({cell});
+        const Bounds box = bounds(cell);
         return std::tuple{box.min.y, box.min.x};
     });
     return level;
@@ -203,7 +203,7 @@ Result<std::vector<std::size_t>> homesOf(const SwathSet& swaths, const LevelFram
                                          const MultiPolygon& cells, const JobContext& job) {
     std::vector<Bounds> boxes;
     for (const Polygon& cell : cells) {
-        boxes.push_back(bounds({cell}));
+        boxes.push_back(bounds(cell));
     }
     std::vector<std::size_t> homes;
     for (const Swath& swath : swaths.swaths) {
@@ -232,7 +232,7 @@ DecompositionStep stepOf(const MultiPolygon& levelPieces, const Groups& groups, 
     DecompositionStep step{.joins = {}, .cells = 0, .altitude = {}, .cost = cost.of(groups)};
     std::vector<std::optional<Bounds>> boxes(levelPieces.size());
     for (std::size_t piece = 0; piece < levelPieces.size(); ++piece) {
-        const Bounds box = bounds({levelPieces[piece]});
+        const Bounds box = bounds(levelPieces[piece]);
         std::optional<Bounds>& cell = boxes[groups[piece]];
         if (!cell) {
             ++step.cells;

@@ -74,14 +74,12 @@ void addPlannedPath(const Path& path, std::vector<MapLayer>& layers) {
 /// Parts far from the plan would make the picture small. They are cut off beside the plan, at a tenth of its
 /// size.
 std::vector<Polyline> nearPlan(const std::vector<Polyline>& lines, const Bounds& plan) {
-    const double room = 0.1 * std::max(plan.width(), plan.height());
+    const Bounds room = widened(plan, 0.1 * std::max(plan.width(), plan.height()));
     std::vector<Polyline> kept;
     for (const Polyline& line : lines) {
         Polyline piece;
         for (const Point& point : line) {
-            const bool inside = point.x >= plan.min.x - room && point.x <= plan.max.x + room &&
-                                point.y >= plan.min.y - room && point.y <= plan.max.y + room;
-            if (inside) {
+            if (contains(room, point)) {
                 piece.push_back(point);
             } else if (!piece.empty()) {
                 kept.push_back(std::exchange(piece, {}));
@@ -102,7 +100,7 @@ Bounds boundsOf(const WrittenPath& plan) {
     for (const Polygon& part : plan.field) {
         all.insert(all.end(), part.outer.begin(), part.outer.end());
     }
-    return bounds({Polygon{.outer = all, .holes = {}}});
+    return bounds(all);
 }
 
 // --- Figures ----------------------------------------------------------------------------------------

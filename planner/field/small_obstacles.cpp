@@ -8,15 +8,11 @@ namespace furrow {
 
 namespace {
 
-Bounds boxOf(const Ring& ring) {
-    return bounds({{.outer = ring, .holes = {}}});
-}
-
 /// Whether a part of the field lies inside a hole, as on an island.
 bool holdsPart(const MultiPolygon& polygons, const Ring& ring) {
-    const Bounds box = boxOf(ring);
+    const Bounds box = bounds(ring);
     return std::ranges::any_of(polygons, [&](const Polygon& polygon) {
-        const Bounds part = bounds({polygon});
+        const Bounds part = bounds(polygon);
         return part.min.x > box.min.x && part.max.x < box.max.x && part.min.y > box.min.y &&
                part.max.y < box.max.y;
     });

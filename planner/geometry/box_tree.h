@@ -1,22 +1,11 @@
 #pragma once
 
-#include "planner/geometry/polygon.h"
+#include "planner/geometry/bounds.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace furrow {
-
-/// Around the edge between two points.
-inline Bounds boundsOf(Point a, Point b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-/// Whether two boxes share a point.
-inline bool meet(const Bounds& a, const Bounds& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
 
 /// Boxes in an order in which neighbours lie near each other, like the edges of rings. The order is halved
 /// again and again, and each half has a box around it. Immutable; thread-safe.
@@ -38,11 +27,6 @@ public:
     }
 
 private:
-    static Bounds around(const Bounds& a, const Bounds& b) {
-        return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
-                {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
-    }
-
     struct Node {
         Bounds box;
         std::size_t second = 0;  ///< index of the upper half; the lower half is the next node
@@ -58,7 +42,7 @@ private:
         const std::size_t middle = first + (last - first) / 2;
         const std::size_t lower = build(boxes, first, middle);
         const std::size_t upper = build(boxes, middle, last);
-        nodes_[self] = {around(nodes_[lower].box, nodes_[upper].box), upper};
+        nodes_[self] = {joined(nodes_[lower].box, nodes_[upper].box), upper};
         return self;
     }
 
@@ -79,11 +63,5 @@ private:
     std::size_t size_ = 0;
     std::vector<Node> nodes_;
 };
-
-/// The distance from a point to the nearest point of a box; 0 inside.
-inline double distanceM(Point point, const Bounds& box) {
-    return std::hypot(std::max({box.min.x - point.x, 0.0, point.x - box.max.x}),
-                      std::max({box.min.y - point.y, 0.0, point.y - box.max.y}));
-}
 
 }  // namespace furrow

@@ -21,7 +21,7 @@ PointGrid::PointGrid(std::vector<Point> points) : points_{std::move(points)}, le
     if (points_.empty()) {
         return;
     }
-    const Bounds box = bounds({{.outer = points_, .holes = {}}});
+    const Bounds box = bounds(points_);
     const double squares = std::max(1.0, static_cast<double>(points_.size()) / kPointsPerSquare);
     corner_ = box.min;
     // Points on a line have no area; along it there are no more squares than points.

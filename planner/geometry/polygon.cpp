@@ -45,18 +45,17 @@ MultiPolygon withoutHoles(const MultiPolygon& polygons) {
     return filled;
 }
 
+Bounds bounds(const Polygon& polygon) {
+    return bounds(polygon.outer);
+}
+
 Bounds bounds(const MultiPolygon& polygons) {
-    Bounds box;
-    bool first = true;
+    if (polygons.empty()) {
+        return {};
+    }
+    Bounds box = bounds(polygons.front());
     for (const Polygon& polygon : polygons) {
-        for (const Point& point : polygon.outer) {
-            if (first) {
-                box = {point, point};
-                first = false;
-            }
-            box.min = {std::min(box.min.x, point.x), std::min(box.min.y, point.y)};
-            box.max = {std::max(box.max.x, point.x), std::max(box.max.y, point.y)};
-        }
+        box = joined(box, bounds(polygon));
     }
     return box;
 }

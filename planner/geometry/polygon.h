@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/geometry/bounds.h"
 #include "planner/geometry/point.h"
 #include "planner/units/quantity.h"
 
@@ -27,23 +28,14 @@ struct Polygon {
 /// Polygons whose insides do not overlap.
 using MultiPolygon = std::vector<Polygon>;
 
-struct Bounds {
-    Point min;
-    Point max;
-
-    double width() const { return max.x - min.x; }
-    double height() const { return max.y - min.y; }
-
-    friend bool operator==(const Bounds&, const Bounds&) = default;
-};
-
 /// Positive for a counter-clockwise ring.
 double signedAreaM2(std::span<const Point> ring);
 
 Area area(const Polygon& polygon);
 Area area(const MultiPolygon& polygons);
 
-/// Bounds of the outer rings; zero for no polygons.
+/// Around the outer rings; zero for no polygons.
+Bounds bounds(const Polygon& polygon);
 Bounds bounds(const MultiPolygon& polygons);
 
 /// The outer rings alone.

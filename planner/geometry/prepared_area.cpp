@@ -16,7 +16,7 @@ struct PreparedArea::Impl {
         std::vector<Bounds> boxes;
         forEachEdge(polygons, [&](Point from, Point to) {
             edges.emplace_back(from, to);
-            boxes.push_back(boundsOf(from, to));
+            boxes.push_back(bounds(from, to));
         });
         tree = BoxTree{boxes};
     }
@@ -24,7 +24,7 @@ struct PreparedArea::Impl {
     /// The shares of the way from one point to another at which it meets an edge, with 0 and 1 around them.
     void crossings(Point from, Point to, std::vector<double>& cuts) const {
         cuts.assign(1, 0.0);
-        const Bounds box = boundsOf(from, to);
+        const Bounds box = bounds(from, to);
         const Point way = to - from;
         tree.any([&](const Bounds& other) { return meet(box, other); },
                  [&](std::size_t i) {

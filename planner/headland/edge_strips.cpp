@@ -16,7 +16,7 @@ namespace {
 std::vector<Bounds> boxesOf(const std::vector<EdgeStrip>& strips) {
     std::vector<Bounds> boxes;
     std::ranges::transform(strips, std::back_inserter(boxes),
-                           [](const EdgeStrip& strip) { return boundsOf(strip.from, strip.to); });
+                           [](const EdgeStrip& strip) { return bounds(strip.from, strip.to); });
     return boxes;
 }
 
@@ -47,7 +47,7 @@ std::size_t EdgeStrips::nearest(Point point) const {
 std::optional<std::size_t> EdgeStrips::ahead(const Pose& pose, Length within) const {
     const Point way = direction(pose.heading.si());
     const Point end = pose.position + within.si() * way;
-    const Bounds around = boundsOf(pose.position, end);
+    const Bounds around = bounds(pose.position, end);
     double leastM = within.si();
     std::optional<std::size_t> first;
     tree_.any([&](const Bounds& box) { return meet(box, around); },

@@ -62,7 +62,7 @@ std::vector<Guide> guidesFor(const Polygon& piece, const MultiPolygon& workable,
             guides.push_back({.on = from, .along = (1.0 / lengthM) * way, .lengthM = lengthM});
         }
     };
-    const Bounds box = bounds({piece});
+    const Bounds box = bounds(piece);
     const auto isNear = [&](Point a, Point b) {
         return std::min(a.x, b.x) < box.max.x + kBesidePieceM &&
                std::max(a.x, b.x) > box.min.x - kBesidePieceM &&
@@ -122,7 +122,7 @@ Curve lineOf(const FinishingPass& pass, const Machine& machine) {
 
 LeftLand::LeftLand(const MultiPolygon& all) {
     for (const Polygon& piece : all) {
-        pieces_.push_back({piece, bounds({piece}), furrow::area(piece)});
+        pieces_.push_back({piece, bounds(piece), furrow::area(piece)});
         inAll_ += pieces_.back().area;
         largest_ = std::max(largest_, pieces_.back().area);
     }
@@ -237,7 +237,7 @@ double FinishingLanes::landBesideM2(const FinishingLane& lane, const LeftLand& l
     const FinishingPass pass{.from = lane.on + (lane.fromM + runInM_) * lane.along,
                              .to = lane.on + lane.toM * lane.along};
     const Strip strip = stripAlong(pass, widthM_);
-    const Bounds box = bounds({{.outer = stripOf(pass, widthM_), .holes = {}}});
+    const Bounds box = bounds(stripOf(pass, widthM_));
     double sumM2 = 0.0;
     for (const LeftLand::Piece& piece : left.pieces()) {
         if (meet(piece.box, box)) {
@@ -254,7 +254,7 @@ std::optional<FinishingPass> FinishingLanes::passAlong(const FinishingLane& lane
     const Point from = lane.on + (lane.fromM + runInM_) * lane.along;
     const Point to = lane.on + lane.toM * lane.along;
     const Ring strip = stripOf({.from = from, .to = to}, widthM_);
-    const Bounds box = bounds({{.outer = strip, .holes = {}}});
+    const Bounds box = bounds(strip);
     FinishingPass candidate;
     double beginsM = lane.toM;
     double endsM = lane.fromM;

@@ -71,11 +71,11 @@ void FullLockBend::enterStrips() {
     for (const Strip& strip : strips_ | std::views::drop(1)) {
         corners.insert(corners.end(), strip.begin(), strip.end());
     }
-    box_ = bounds({{.outer = std::move(corners), .holes = {}}});
+    box_ = bounds(corners);
     columns_ = columnOf(box_.max.x) + 1;
     cells_.resize(columns_ * (rowOf(box_.max.y) + 1));
     for (std::size_t i = 1; i < strips_.size(); ++i) {
-        const Bounds box = bounds({{.outer = {strips_[i].begin(), strips_[i].end()}, .holes = {}}});
+        const Bounds box = bounds(strips_[i]);
         for (std::size_t row = rowOf(box.min.y); row <= rowOf(box.max.y); ++row) {
             for (std::size_t column = columnOf(box.min.x); column <= columnOf(box.max.x); ++column) {
                 const Point middle = box_.min + kCellM * Point{static_cast<double>(column) + 0.5,

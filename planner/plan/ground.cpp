@@ -26,7 +26,7 @@ Length rigidLength(const Machine& machine) {
 /// Whether some straight line of this length may be in it: for convex parts that is so, for others perhaps.
 bool mayHoldLine(const MultiPolygon& polygons, Length length) {
     return std::ranges::any_of(polygons, [length](const Polygon& polygon) {
-        const Bounds box = bounds({polygon});
+        const Bounds box = bounds(polygon);
         // Of large ones the box says enough.
         return std::max(box.width(), box.height()) >= length.si() ||
                diameter(convexHull(polygon.outer)) >= length;

@@ -61,7 +61,7 @@ public:
                 const Point b = segment.samples[i].position;
                 if (distance(a, b) > 0.0) {
                     edges_.push_back({a, b});
-                    boxes.push_back(boundsOf(a, b));
+                    boxes.push_back(bounds(a, b));
                 }
             }
         }

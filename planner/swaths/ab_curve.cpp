@@ -122,10 +122,7 @@ Result<SwathSet> abCurve(const SwathTask& task, const JobContext& job) {
                   .where = std::string{kLine.key},
                   .remedy = "give one beside it, in WGS84, longitude first"});
     }
-    for (const Point& point : *points) {
-        box = {{std::min(box.min.x, point.x), std::min(box.min.y, point.y)},
-               {std::max(box.max.x, point.x), std::max(box.max.y, point.y)}};
-    }
+    box = joined(box, bounds(*points));
     const Length reach = metres(box.width() + box.height());
     return guideCurve(*points, swathRadius(task.machine), reach, isDrawn ? kLine.key : kEdge.key)
         .and_then([&](const GuideLine& guide) {

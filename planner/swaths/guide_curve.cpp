@@ -54,7 +54,7 @@ std::optional<double> meeting(Point a, Point b, Point c, Point d) {
 std::optional<Point> crossingOf(const Polyline& line) {
     std::vector<Bounds> boxes;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        boxes.push_back(boundsOf(line[i], line[i + 1]));
+        boxes.push_back(bounds(line[i], line[i + 1]));
     }
     const BoxTree tree{boxes};
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {

@@ -47,8 +47,7 @@ Bounds boxOf(Point from, Point to, const GuidePiece& piece) {
         const double radiusM = piece.lengthM / turnRad;
         beyondM = turnRad < std::numbers::pi ? radiusM * (1.0 - std::cos(0.5 * turnRad)) : 2.0 * radiusM;
     }
-    return {{std::min(from.x, to.x) - beyondM, std::min(from.y, to.y) - beyondM},
-            {std::max(from.x, to.x) + beyondM, std::max(from.y, to.y) + beyondM}};
+    return widened(bounds(from, to), beyondM);
 }
 
 }  // namespace

@@ -35,14 +35,10 @@ Polygon rectangleAlong(Point along, Point origin, std::pair<double, double> leng
 
 /// The bounds of a mainland along and across a direction.
 Bounds turnedBounds(const MultiPolygon& mainland, Point along) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Bounds box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-    forEachEdge(mainland, [&](Point from, Point) {
-        const Point turned{dot(along, from), cross(along, from)};
-        box = {{std::min(box.min.x, turned.x), std::min(box.min.y, turned.y)},
-               {std::max(box.max.x, turned.x), std::max(box.max.y, turned.y)}};
-    });
-    return box;
+    std::vector<Point> turned;
+    forEachEdge(mainland,
+                [&](Point from, Point) { turned.push_back({dot(along, from), cross(along, from)}); });
+    return bounds(turned);
 }
 
 /// The continuation of a lane in the mainland, straight ahead of the pose at its end.

@@ -50,7 +50,7 @@ std::vector<Curve> MainlandEdges::partsInside(const Curve& line) const {
     for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
         const Point a = samples[k].pose.position;
         const Point b = samples[k + 1].pose.position;
-        const Bounds chord = boundsOf(a, b);
+        const Bounds chord = bounds(a, b);
         tree_.any([&](const Bounds& box) { return meet(box, chord); },
                   [&](std::size_t i) {
                       const auto [c, d] = edges_[i];

@@ -361,13 +361,11 @@ std::vector<RecordedTrack> tracksNear(const Path& path, const LocalFrame& frame,
     for (const PathSegment& segment : path.segments) {
         std::ranges::transform(segment.samples, std::back_inserter(all), &PathSample::position);
     }
-    const Bounds box = bounds({Polygon{.outer = std::move(all), .holes = {}}});
+    const Bounds room = widened(bounds(all), radius.si());
     std::vector<RecordedTrack> near;
     std::ranges::copy_if(tracks, std::back_inserter(near), [&](const RecordedTrack& track) {
-        return std::ranges::any_of(placesIn(frame, track), [&](Point place) {
-            return place.x >= box.min.x - radius.si() && place.x <= box.max.x + radius.si() &&
-                   place.y >= box.min.y - radius.si() && place.y <= box.max.y + radius.si();
-        });
+        return std::ranges::any_of(placesIn(frame, track),
+                                   [&](Point place) { return contains(room, place); });
     });
     return near;
 }

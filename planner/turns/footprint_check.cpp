@@ -8,19 +8,6 @@
 
 namespace furrow {
 
-namespace {
-
-Bounds boundsOf(const Ring& ring) {
-    Bounds box{ring.front(), ring.front()};
-    for (const Point& point : ring) {
-        box = {{std::min(box.min.x, point.x), std::min(box.min.y, point.y)},
-               {std::max(box.max.x, point.x), std::max(box.max.y, point.y)}};
-    }
-    return box;
-}
-
-}  // namespace
-
 FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM,
                          const BoundaryDistance& edges, double noLessM) {
     const double reachM = edges.reachM();
@@ -48,7 +35,7 @@ FootprintRoom roomAround(const Pose& pose, const Ring& footprint, double radiusM
             freeM = insideM;
         }
     }
-    const Bounds box = boundsOf(footprint);
+    const Bounds box = bounds(footprint);
     const double farM = radiusM + reachM;
     for (const Point& corner : edges.inwardCorners(pose.position.x - farM, pose.position.x + farM)) {
         const Point way = corner - pose.position;

@@ -34,7 +34,7 @@ std::vector<Rig::Part> Rig::partsOf(const Machine& machine, ImplementAt implemen
     std::vector<Part> parts;
     for (RigPart& part : rigParts(machine, implement, overhangs)) {
         const double radiusM = radiusOf(part.shape);
-        const Bounds box = bounds({{.outer = part.shape, .holes = {}}});
+        const Bounds box = bounds(part.shape);
         parts.push_back({std::move(part.shape), radiusM, box, part.isTrailed, part.mayOverhang});
     }
     return parts;

@@ -30,7 +30,7 @@ private slots:
         for (int i = 0; i < 60; ++i) {
             const Polygon field =
                 test::randomPolygons(random, test::kShapes[i % test::kShapes.size()], 150.0).front();
-            const Bounds box = bounds({field});
+            const Bounds box = bounds(field);
             const double stepM = 0.021 * (box.width() + box.height());
             std::vector<Point> expected;
             for (double y = box.min.y + 0.5 * stepM; y < box.max.y; y += stepM) {

@@ -72,7 +72,7 @@ class EdgeFollowingTest : public QObject {
 
 private slots:
     void theMachine() {
-        const Bounds box = bounds({{.outer = agbot().workingFootprint(), .holes = {}}});
+        const Bounds box = bounds(agbot().workingFootprint());
         COMPARE_WITHIN(box.max.x, kOverhangM, 1e-9);
         COMPARE_WITHIN(box.min.x, -kOverhangM, 1e-9);
         COMPARE_WITHIN(box.max.y, kHalfWidthM, 1e-9);
