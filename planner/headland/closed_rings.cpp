@@ -201,7 +201,8 @@ Result<ClosedRing> innerRing(const PassTask& task, Length inset, int ring, Corne
 }  // namespace
 
 Result<ClosedRing> closedRing(const PassTask& task, Length inset, int ring, CornerMethod method,
-                              CornerWays& ways, const JobContext& job) {
+                              const JobContext& job) {
+    CornerWays ways;
     if (method == CornerMethod::Rounded) {
         return ring == 0 ? outermostRing(task, inset, ways, job) : innerRing(task, inset, ring, ways, job);
     }

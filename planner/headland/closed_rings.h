@@ -29,6 +29,6 @@ struct ClosedRing {
 /// can leave them again. Cancelled.
 /// @param method  anything but Searched
 Result<ClosedRing> closedRing(const PassTask& task, Length inset, int ring, CornerMethod method,
-                              CornerWays& ways, const JobContext& job);
+                              const JobContext& job);
 
 }  // namespace furrow

@@ -11,6 +11,7 @@
 #include "planner/headland/mirrored.h"
 #include "planner/headland/pass_tracks.h"
 #include "planner/headland/smooth_ring.h"
+#include "planner/jobs/parallel.h"
 #include "planner/turns/trailer.h"
 #include "planner/turns/turn_method.h"
 
@@ -50,6 +51,7 @@ CornerMethod cornerMethod(const Settings& settings) {
 /// The distances from the edge to the line of every pass, outermost first.
 std::vector<Length> insets(int passes, const Machine& machine, Length margin) {
     std::vector<Length> all;
+    all.reserve(static_cast<std::size_t>(passes));
     const Length first = margin + 0.5 * machine.workingFootprintWidth();
     for (int i = 0; i < passes; ++i) {
         all.push_back(first + i * machine.operatingWidth());
@@ -117,15 +119,15 @@ Result<MultiPolygon> insideOf(const std::vector<Curve>& lines, const JobContext&
     return madeValid(rings, job);
 }
 
-/// The passes of a ring inside the outermost one: along the edges with their corners kept sharp. Edges that
-/// jut back and forth within less than a turn, for example traced from an image, would cut them into many
-/// stretches. They then run beside the outermost pass, which goes round such edges smoothly.
+/// The passes of a ring inside the outermost one, which run along the edges with their corners kept sharp.
+/// Edges that jut back and forth within less than a turn, for example traced from an image, would cut them
+/// into many stretches. They then run beside the outermost pass, which goes round such edges smoothly.
+/// @param along      those along the edges
 /// @param outermost  its lines; empty if they could not be made
-Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::vector<Curve>& outermost,
-                                              Length fromOutermost, Length inset, int ring,
-                                              const JobContext& job) {
-    auto along = innerPasses(task, inset, ring, job);
-    if (!along || outermost.empty() || stretchCount(*along) < kManyStretches) {
+Result<std::vector<HeadlandPass>> besideOutermost(std::vector<HeadlandPass> along, const PassTask& task,
+                                                  const std::vector<Curve>& outermost, Length fromOutermost,
+                                                  int ring, const JobContext& job) {
+    if (outermost.empty() || stretchCount(along) < kManyStretches) {
         return along;
     }
     const auto region = insideOf(outermost, job).and_then([&](const MultiPolygon& inside) {
@@ -145,7 +147,7 @@ Result<std::vector<HeadlandPass>> innerRingOf(const PassTask& task, const std::v
     }
     std::vector<HeadlandPass> beside =
         passesOn(plain, task, ring, kGentleShare * task.machine.operatingWidth());
-    return kTimesFewer * stretchCount(beside) <= stretchCount(*along) ? std::move(beside) : std::move(along);
+    return kTimesFewer * stretchCount(beside) <= stretchCount(along) ? std::move(beside) : std::move(along);
 }
 
 /// A rounded line that is not inside everywhere is driven in the parts that are inside.
@@ -209,61 +211,98 @@ void addUncut(const ClosedRing& outermost, const Machine& machine, Headland& hea
     }
 }
 
+/// What is known of a ring without the others.
+struct RingAlone {
+    std::vector<HeadlandPass> parts;   ///< where it does not go all round, and along strips
+    std::optional<ClosedRing> closed;  ///< else
+    std::vector<HeadlandPass> along;   ///< else: along the edges
+};
+
+/// Empty for no strips with their own headlands.
+using OwnStrips = std::optional<EdgeStrips>;
+
+Result<RingAlone> ringAlone(const Headland& headland, const OwnStrips& strips, const RingInsets& insets,
+                            int ring, const PassTask& task, const JobContext& job) {
+    const Machine& machine = task.machine;
+    const CornerMethod method = cornerMethod(task.settings);
+    RingAlone made;
+    if (!insets.ofStrip.empty()) {
+        return partsOfRing(headland, *strips, insets, ring, task, job)
+            .transform([&](std::vector<HeadlandPass>&& parts) {
+                made.parts = std::move(parts);
+                return std::move(made);
+            });
+    }
+    const Length inset = insets.different.front();
+    if (ring > 0) {
+        auto narrow = passesAlongStrips(task, inset - 0.5 * machine.operatingWidth(), ring, job);
+        if (!narrow) {
+            return std::unexpected(narrow.error());
+        }
+        made.parts = *std::move(narrow);
+    }
+    // A machine that cannot reverse would not get out of a corner again.
+    if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
+        // A trailed boom comes to the edge on its own track.
+        const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
+        auto closed = closedRing(task, inset + beside, ring, method, job);
+        if (!closed) {
+            return std::unexpected(closed.error());
+        }
+        if (closed->complete) {
+            if (!closed->inside) {
+                closed->passes = cutWhereOutside(std::move(closed->passes), task, job);
+            }
+            made.closed = *std::move(closed);
+            return made;
+        }
+    }
+    return innerPasses(task, inset, ring, job).transform([&](std::vector<HeadlandPass>&& along) {
+        made.along = std::move(along);
+        return std::move(made);
+    });
+}
+
 /// Adds the passes of all rings, counter-clockwise.
 Result<void> addRings(Headland& headland, const PassTask& task, const JobContext& job) {
     const Machine& machine = task.machine;
-    const CornerMethod method = cornerMethod(task.settings);
     headland.uncutStrip = uncutEdge(machine);
     const std::vector<RingInsets> all = ringsOf(headland, machine, task.margin);
-    const std::optional<EdgeStrips> strips =
+    const OwnStrips strips =
         headland.strips.empty() ? std::nullopt : std::optional<EdgeStrips>{headland.strips};
+    auto rings = parallelMap<Result<RingAlone>>(
+        all.size(),
+        [&](std::size_t i) {
+            return ringAlone(headland, strips, all[i], static_cast<int>(i), task, job.withoutProgress());
+        },
+        job.withoutProgress());
+    if (!rings) {
+        return std::unexpected(rings.error());
+    }
     const auto keep = [&](std::vector<HeadlandPass> passes) {
         std::ranges::move(passes, std::back_inserter(headland.drivenPasses));
     };
-    // A trailed boom comes to the edge on its own track.
-    const Length beside = Trailer::of(machine) ? kBesideEdge : Length{};
     std::vector<Curve> outermost;
-    CornerWays ways;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const int ring = static_cast<int>(i);
-        if (!all[i].ofStrip.empty()) {
-            auto parts = partsOfRing(headland, *strips, all[i], ring, task, job);
-            if (!parts) {
-                return std::unexpected(parts.error());
-            }
-            keep(std::move(*parts));
-            continue;
+        auto& ring = (*rings)[i];
+        if (!ring) {
+            return std::unexpected(ring.error());
         }
-        const Length inset = all[i].different.front();
-        if (ring > 0) {
-            auto narrow = passesAlongStrips(task, inset - 0.5 * machine.operatingWidth(), ring, job);
-            if (!narrow) {
-                return std::unexpected(narrow.error());
+        keep(std::move(ring->parts));
+        if (ring->closed) {
+            if (i == 0) {
+                outermost = std::move(ring->closed->lines);
+                addUncut(*ring->closed, machine, headland);
             }
-            keep(std::move(*narrow));
+            keep(std::move(ring->closed->passes));
         }
-        // A machine that cannot reverse would not get out of a corner again.
-        if (ring == 0 || method != CornerMethod::Rounded || !canReverse(machine)) {
-            auto closed = closedRing(task, inset + beside, ring, method, ways, job);
-            if (!closed) {
-                return std::unexpected(closed.error());
-            }
-            if (closed->complete) {
-                if (ring == 0) {
-                    outermost = std::move(closed->lines);
-                    addUncut(*closed, machine, headland);
-                }
-                keep(closed->inside ? std::move(closed->passes)
-                                    : cutWhereOutside(std::move(closed->passes), task, job));
-                continue;
-            }
-        }
+        const Length fromOutermost = all[i].different.front() - all.front().different.front();
         auto stretches =
-            innerRingOf(task, outermost, inset - all.front().different.front(), inset, ring, job);
+            besideOutermost(std::move(ring->along), task, outermost, fromOutermost, static_cast<int>(i), job);
         if (!stretches) {
             return std::unexpected(stretches.error());
         }
-        keep(std::move(*stretches));
+        keep(*std::move(stretches));
     }
     return {};
 }
