@@ -1,8 +1,10 @@
 #include "planner/path/fitting_ways.h"
 
+#include "planner/geometry/tolerances.h"
 #include "planner/turns/best_feasible.h"
 #include "planner/turns/straight_turn.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace furrow {
@@ -30,7 +32,8 @@ std::optional<Curve> WaySearches::between(const Pose& leaving, const Pose& arriv
         }
     }
     std::optional<Curve> way =
-        fittingConnection(rig_, leaving, arriving, travel_, job, effort, straights(job));
+        fittingConnection(rig_, leaving, arriving, travel_, job, effort, straights(job),
+                          [this](const Pose& from, const Pose& to) { return areApart(from, to); });
     if (!job.stopRequested()) {
         const std::scoped_lock lock{mutex_};
         if (found_.size() >= kMostWaysKept) {
@@ -60,6 +63,21 @@ const StraightWays* WaySearches::straights(const JobContext& job) {
         straights_ = made;
     }
     return straights_.get();
+}
+
+bool WaySearches::areApart(const Pose& from, const Pose& to) {
+    const Tractor& tractor = rig_.machine().spec().tractor;
+    std::call_once(onceThrough_, [&] {
+        const Length disc = std::min(tractor.width, tractor.length) - metres(kNeckContactM);
+        if (auto found = DrivenParts::of(areas_.tractor(), disc, {})) {
+            through_ = *std::move(found);
+        }
+    });
+    const auto middle = [&](const Pose& pose) {
+        const Length ahead = 0.5 * tractor.length - tractor.rearOverhang;
+        return pose.position + ahead.si() * direction(pose.heading.si());
+    };
+    return through_ && through_->separate(middle(from), middle(to));
 }
 
 const DrivenParts* WaySearches::parts() {

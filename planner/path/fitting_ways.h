@@ -30,6 +30,9 @@ public:
                                const Pose& arriving) const;
     /// The parts of the area that only narrow necks join. Null where that cannot be told.
     const DrivenParts* parts();
+    /// Whether no neck between two places lets the tractor through. On every way a disc as wide as the
+    /// tractor comes along, so there is none then.
+    bool areApart(const Pose& from, const Pose& to);
 
 private:
     /// Null for machines that do not turn on the spot.
@@ -42,6 +45,8 @@ private:
     TravelCost travel_;
     std::once_flag once_;
     std::optional<DrivenParts> parts_;
+    std::once_flag onceThrough_;
+    std::optional<DrivenParts> through_;  ///< where the tractor just fits
     std::mutex mutex_;
     std::shared_ptr<const StraightWays> straights_;
     std::map<Key, std::optional<Curve>> found_;

@@ -146,7 +146,8 @@ Curve straightened(Curve way, const Rig& rig, const TravelCost& travel, const Jo
 
 /// The searched way, with the straight that the implement needs before it is lowered, if that fits.
 std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& arriving,
-                              const TravelCost& travel, const JobContext& job, SearchEffort effort) {
+                              const TravelCost& travel, const JobContext& job, SearchEffort effort,
+                              const Apart& apart) {
     if (effort == SearchEffort::None) {
         return std::nullopt;
     }
@@ -156,7 +157,7 @@ std::optional<Curve> searched(const Rig& rig, const Pose& leaving, const Pose& a
     if (rig.outsideM(Rig::inLine(leaving)) > kContactM || rig.outsideM(Rig::inLine(before)) > kContactM) {
         return std::nullopt;
     }
-    auto way = searchManoeuvre(rig, leaving, before, travel, job, effort);
+    auto way = searchManoeuvre(rig, leaving, before, travel, job, effort, apart);
     if (way && travel) {
         way = straightened(std::move(*way), rig, travel, job);
     }
@@ -178,7 +179,7 @@ std::optional<Curve> quickestThatFits(const Rig& rig, const Pose& leaving, const
 
 std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                        const TravelCost& travel, const JobContext& job, SearchEffort effort,
-                                       const StraightWays* straights) {
+                                       const StraightWays* straights, const Apart& apart) {
     const Machine& machine = rig.machine();
     std::optional<Curve> turn = quickestThatFits(rig, leaving, arriving, rig.steeredMachine());
     if (!turn) {
@@ -198,7 +199,7 @@ std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, cons
     if (straights != nullptr) {
         take(straights->between(leaving, arriving, travel, job));
     }
-    take(searched(rig, leaving, arriving, travel, job, effort));
+    take(searched(rig, leaving, arriving, travel, job, effort, apart));
     return turn;
 }
 

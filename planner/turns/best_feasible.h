@@ -21,10 +21,11 @@ Curve feasibleConnection(const Rig& rig, const Pose& leaving, const Pose& arrivi
                          const JobContext& job);
 /// The same. Empty if nothing fits.
 /// @param straights  of this area, for machines that turn on the spot; may be null
+/// @param apart      see searchManoeuvre
 std::optional<Curve> fittingConnection(const Rig& rig, const Pose& leaving, const Pose& arriving,
                                        const TravelCost& travel, const JobContext& job,
                                        SearchEffort effort = SearchEffort::Thorough,
-                                       const StraightWays* straights = nullptr);
+                                       const StraightWays* straights = nullptr, const Apart& apart = {});
 
 /// The turn of one kind, if it stays inside and does not cross dear places that it could go round. Empty if
 /// it does not fit, or if the poses or the machine do not allow this kind.

@@ -39,18 +39,20 @@ public:
 
     /// Infinite if there is no way, or none within `most`.
     double from(Point point, double most) {
-        const auto column = static_cast<std::int32_t>(std::lround((point.x - origin_.x) / cellM_));
-        const auto row = static_cast<std::int32_t>(std::lround((point.y - origin_.y) / cellM_));
-        Place& place = placeAt(column, row);
-        // A place where nobody may stand would start a search of the whole field.
-        while (!place.settled) {
-            if (place.travel == 0.0 || open_.empty() || open_.top().atLeast > most ||
-                settled_ == mostCells_) {
-                return std::numeric_limits<double>::infinity();
-            }
+        Place& place = placeAt(columnOf(point), rowOf(point));
+        while (!isAnswered(place, most)) {
             settleNearest();
         }
-        return place.distance;
+        return place.settled ? place.distance : std::numeric_limits<double>::infinity();
+    }
+
+    /// Whether so many more cells are enough to see a way.
+    bool soonReaches(Point point, double most, std::size_t cells) {
+        Place& place = placeAt(columnOf(point), rowOf(point));
+        for (; cells > 0 && !isAnswered(place, most); --cells) {
+            settleNearest();
+        }
+        return place.settled;
     }
 
     /// More cells would have been needed for some answers.
@@ -77,12 +79,24 @@ private:
         bool operator<(const Entry& other) const { return atLeast > other.atLeast; }
     };
 
+    /// A place where nobody may stand would start a search of the whole field.
+    bool isAnswered(const Place& place, double most) const {
+        return place.settled || place.travel == 0.0 || open_.empty() || open_.top().atLeast > most ||
+               settled_ == mostCells_;
+    }
+
     bool mayStandAt(Point point) const {
         const double nearM = kNearEndsRadii * rig_.machine().minTurningRadius().si();
         const bool isFar = distance(point, origin_) > nearM && distance(point, towards_) > nearM;
         return rig_.mayStandAt(point, isFar ? clearance_ : Length{});
     }
 
+    std::int32_t columnOf(Point point) const {
+        return static_cast<std::int32_t>(std::lround((point.x - origin_.x) / cellM_));
+    }
+    std::int32_t rowOf(Point point) const {
+        return static_cast<std::int32_t>(std::lround((point.y - origin_.y) / cellM_));
+    }
     Point middleOf(std::int32_t column, std::int32_t row) const {
         return origin_ + Point{column * cellM_, row * cellM_};
     }

@@ -70,6 +70,9 @@ constexpr std::size_t kMovesBeforeLook = 60;
 constexpr double kAwayRadii = 2.0;
 constexpr std::size_t kMostPlacesLookedAt = 40;
 constexpr double kLookedAtShares[] = {1.0, 0.5, 0.25};
+// Most ways are seen on the grid within as many cells. Before it looks at more, the search asks whether there
+// is any.
+constexpr std::size_t kCellsBeforeAsking = 1'000;
 // It is free if it can turn by this angle on full lock.
 constexpr double kFreeRad = 0.5;
 // Ways to one place that differ by less take the same time.
@@ -145,8 +148,13 @@ public:
         ends_.push_back({.pieces = {}, .end = to});
     }
 
-    std::optional<Curve> run(SearchEffort effort) {
+    std::optional<Curve> run(SearchEffort effort, const Apart& apart) {
         mostWayM_ = reach_ * (200.0 + 60.0 * radiusM_ + 8.0 * distance(from().position, to_.position));
+        if (apart && !grid_.soonReaches(from().position, mostWayM_, kCellsBeforeAsking) &&
+            apart(from(), to_)) {
+            isGoalShut_ = true;
+            return std::nullopt;
+        }
         const double byGrid = grid_.from(from().position, mostWayM_);
         greed_ = byGrid > kNearRadii * radiusM_ ? kGreedAfar : kGreed;
         auto out = escapes(from());
@@ -207,7 +215,7 @@ public:
 
     double cellM() const { return cellM_; }
     bool isGridSpent() const { return grid_.isSpent(); }
-    /// No move leads to the goal.
+    /// No move leads to the goal, or no way at all.
     bool isGoalShut() const { return isGoalShut_; }
 
 private:
@@ -584,21 +592,22 @@ private:
 }  // namespace
 
 std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to,
-                                     const TravelCost& travel, const JobContext& job, SearchEffort effort) {
+                                     const TravelCost& travel, const JobContext& job, SearchEffort effort,
+                                     const Apart& apart) {
     Search near{rig, from, to, travel, job, kNear};
-    auto way = near.run(effort);
+    auto way = near.run(effort, apart);
     if (way || effort != SearchEffort::Thorough || near.isGoalShut() || job.stopRequested()) {
         return way;
     }
     // The way may be long: round a bay of a large field, or round a neck too narrow for the implement.
     Search afar{rig, from, to, travel, job, kAfar};
-    way = afar.run(effort);
+    way = afar.run(effort, {});
     if (way || job.stopRequested()) {
         return way;
     }
     // Between places near each other both grids are the same, and so are the searches.
     Search allRound{rig, from, to, travel, job, kAllRound};
-    return allRound.cellM() == afar.cellM() && !afar.isGridSpent() ? std::nullopt : allRound.run(effort);
+    return allRound.cellM() == afar.cellM() && !afar.isGridSpent() ? std::nullopt : allRound.run(effort, {});
 }
 
 }  // namespace furrow

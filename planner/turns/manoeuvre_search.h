@@ -4,6 +4,7 @@
 #include "planner/turns/rig.h"
 #include "planner/turns/travel_cost.h"
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -15,6 +16,10 @@ inline constexpr std::string_view kCombinedTurn = "combined";
 /// Effort of the search for a way that may not exist. Most ways are found within a few hundred moves. None:
 /// no search if no single curve fits.
 enum class SearchEffort { Thorough, Quick, None };
+
+/// Whether it is known that no way leads from one pose to another. Asked only where a search would take long;
+/// empty: never known.
+using Apart = std::function<bool(const Pose& from, const Pose& to)>;
 
 /// A drivable way between two poses if no single turn fits: round obstacles and corners, in several moves.
 ///
@@ -30,6 +35,6 @@ enum class SearchEffort { Thorough, Quick, None };
 /// Cost: a tenth of a millisecond for each tested move; from milliseconds to half a second.
 std::optional<Curve> searchManoeuvre(const Rig& rig, const Pose& from, const Pose& to,
                                      const TravelCost& travel, const JobContext& job,
-                                     SearchEffort effort = SearchEffort::Thorough);
+                                     SearchEffort effort = SearchEffort::Thorough, const Apart& apart = {});
 
 }  // namespace furrow

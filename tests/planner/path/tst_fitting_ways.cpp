@@ -1,10 +1,13 @@
 #include "planner/machine/machine_library.h"
 #include "planner/path/fitting_ways.h"
+#include "planner/turns/best_feasible.h"
 #include "tests/support/field_generator.h"
 #include "tests/support/stages.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
+
+#include <random>
 
 using namespace furrow;
 
@@ -94,6 +97,55 @@ private slots:
         QVERIFY(!ways.between(here, pose(130.0, 35.0, 90.0), {}, SearchEffort::Quick));
         QVERIFY(ways.between(pose(30.0, 20.0, 0.0), pose(110.0, 20.0, 0.0), {}, SearchEffort::Quick));
         QVERIFY(ways.between(here, pose(50.0, 30.0, 0.0), {}, SearchEffort::Quick));
+    }
+
+    // Where a tractor gets through, its implement may not: then it is not known.
+    void apartByTheTractor_data() {
+        QTest::addColumn<QString>("machine");
+        QTest::addColumn<double>("neckM");
+        QTest::addColumn<bool>("apart");
+        QTest::newRow("robot, too narrow") << "agbot" << 2.4 << true;
+        QTest::newRow("robot, as wide as it is") << "agbot" << 2.5 << false;
+        QTest::newRow("sprayer, too narrow for its tractor") << "trailed-sprayer" << 2.4 << true;
+        QTest::newRow("sprayer, too narrow for its boom only") << "trailed-sprayer" << 5.0 << false;
+    }
+    void apartByTheTractor() {
+        QFETCH(QString, machine);
+        QFETCH(double, neckM);
+        QFETCH(bool, apart);
+        WaySearches ways{dumbbell(neckM), findMachine(machine.toStdString()).value(), TravelCost{}};
+        QCOMPARE(ways.areApart(pose(30.0, 20.0, 0.0), pose(110.0, 20.0, 180.0)), apart);
+        QCOMPARE(ways.areApart(pose(110.0, 5.0, 90.0), pose(30.0, 35.0, 0.0)), apart);
+        QVERIFY(!ways.areApart(pose(30.0, 20.0, 0.0), pose(5.0, 5.0, 90.0)));
+        QVERIFY(!ways.areApart(pose(1.5, 38.0, 0.0), pose(58.0, 2.0, 180.0)));
+    }
+
+    // No search finds a way between places that are apart, and every search finds what it finds without that.
+    void whatIsApartHasNoWay() {
+        std::mt19937_64 random{20261129};
+        int apart = 0;
+        int joined = 0;
+        for (int i = 0; i < 24; ++i) {
+            const MultiPolygon field = dumbbell(test::uniform(random, 2.0, 2.9));
+            const Rig rig{field, test::agbot()};
+            WaySearches ways{field, test::agbot(), TravelCost{}};
+            const auto place = [&](double fromX, double toX) {
+                return pose(test::uniform(random, fromX, toX), test::uniform(random, 4.0, 36.0),
+                            test::uniform(random, 0.0, 360.0));
+            };
+            const Pose from = place(4.0, 56.0);
+            const Pose to = i % 3 == 0 ? place(4.0, 56.0) : place(84.0, 136.0);
+            const auto alone = fittingConnection(rig, from, to, {}, {});
+            QVERIFY(ways.between(from, to, {}, SearchEffort::Thorough) == alone);
+            if (ways.areApart(from, to)) {
+                ++apart;
+                QVERIFY(!alone);
+            } else {
+                ++joined;
+            }
+        }
+        QVERIFY(apart >= 6);
+        QVERIFY(joined >= 10);
     }
 };
 
