@@ -116,6 +116,8 @@ Result<std::shared_ptr<const Plan>> withAdvice(const std::shared_ptr<const Plan>
         if (!request.settings.setText(*change.parameter, change.value)) {
             continue;
         }
+        // What can be driven stays so with whatever is compared beside.
+        request.settings.set(kCompare, std::string{kCompareBlocked}).value();
         const auto changed = makePlan(request, job.part(share(i), share(i + 1)), cache);
         if (!changed && changed.error().code == ErrorCode::Cancelled) {
             return std::unexpected(changed.error());

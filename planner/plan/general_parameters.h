@@ -12,5 +12,7 @@ extern const Parameter kOverhang;
 extern const Parameter kStayInside;
 /// Whether other plans are driven beside the first one, even if it can be driven.
 extern const Parameter kCompare;
+/// Choice of this setting: only where the plan as asked cannot be driven.
+inline constexpr std::string_view kCompareBlocked = "blocked";
 
 }  // namespace furrow

@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view kCompareAlways = "always";
 constexpr Choice kComparisons[] = {
     {kCompareAlways, "Always", "The quickest of them is taken."},
-    {"blocked", "Only where the first one cannot be driven",
+    {kCompareBlocked, "Only where the first one cannot be driven",
      "Planning is several times quicker, and the work takes some percent longer."},
 };
 constexpr Angle kSameHeading = degrees(0.01);
