@@ -149,6 +149,9 @@ protected:
 private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
+        // The language is read once, when the window is prepared: an earlier run may have left another.
+        nameProgram();
+        QSettings{}.clear();
         prepareWindow();
     }
     void init() {
