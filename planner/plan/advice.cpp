@@ -25,6 +25,12 @@ struct Change {
     std::string value;
 };
 
+/// Ways between parts of the field that no setting joins are told as such.
+bool leavesUnexplained(const Finding& finding) {
+    return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside &&
+           finding.suggestion.empty();
+}
+
 /// What might mend a plan: of the settings that were given those of the last stages first, since they change
 /// least of it.
 std::vector<Change> changesFor(const Plan& plan) {
@@ -40,9 +46,7 @@ std::vector<Change> changesFor(const Plan& plan) {
             changes.push_back({parameter, settingText(without.value(*parameter))});
         }
     }
-    const bool leaves = std::ranges::any_of(plan.findings, [](const Finding& finding) {
-        return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside;
-    });
+    const bool leaves = std::ranges::any_of(plan.findings, leavesUnexplained);
     const bool canWiden = headlandMethod(settings).traits.isOneWidth && !settings.isSet(kHeadlandWidth);
     if (leaves && canWiden && !plan.headland.narrowed) {
         changes.push_back({&kHeadlandPasses, std::to_string(plan.headland.passes + 1)});
@@ -72,11 +76,6 @@ bool isBlockedAnew(const Plan& changed, const Plan& plan, double nearM) {
                (!hasNear(plan.findings, finding, nearM) ||
                 blockingOfKind(changed, finding.kind) > blockingOfKind(plan, finding.kind));
     });
-}
-
-bool leavesUnexplained(const Finding& finding) {
-    return finding.severity == Severity::Blocking && finding.kind == FindingKind::Outside &&
-           finding.suggestion.empty();
 }
 
 /// What leaves the field and no change mends is told why, where the field is too narrow.

@@ -478,7 +478,9 @@ Result<std::optional<BestSoFar>> PlanChooser::alongHeading(const BestSoFar& best
 }
 
 Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobContext& job) {
-    auto asked = runner_.run(request, {}, job.part(0.0, request.draft ? 1.0 : kAskedShare));
+    const bool comparesAlways = request.settings.choice(kCompare) == kCompareAlways;
+    const double begun = request.draft ? 1.0 : comparesAlways ? kAskedShare : kAskedAloneShare;
+    auto asked = runner_.run(request, {}, job.part(0.0, begun));
     if (!asked) {
         return std::unexpected(asked.error());
     }
@@ -506,8 +508,8 @@ Result<BestSoFar> PlanChooser::improved(const PlanRequest& request, const JobCon
         !isTooLarge && !hasOwnOrder(request.settings) && !hasHeadingPerCell(request.settings);
     const std::vector<HeadingCandidate> headings =
         triesHeadings ? headingsToTry(*asked) : std::vector<HeadingCandidate>{};
-    const double decided = kAskedShare + (1.0 - kAskedShare) / (1.0 + static_cast<double>(headings.size()));
-    return decideOrderAndCorners(best, nullptr, job.part(kAskedShare, decided))
+    const double decided = begun + (1.0 - begun) / (1.0 + static_cast<double>(headings.size()));
+    return decideOrderAndCorners(best, nullptr, job.part(begun, decided))
         .and_then([&] {
             return takeBest(
                 best, headings.size(),

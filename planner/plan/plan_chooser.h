@@ -58,6 +58,8 @@ PlanRequest along(PlanRequest request, Angle heading);
 
 /// Share of the plan as asked in the progress of a plan that is improved: the median of real fields.
 inline constexpr double kAskedShare = 0.35;
+/// The same where others are compared only if it cannot be driven: mostly it can.
+inline constexpr double kAskedAloneShare = 0.9;
 
 /// Whom a chooser tells; each may be empty.
 struct ChoosingCourse {

@@ -5,6 +5,7 @@
 #include "planner/plan/shown_value.h"
 #include "planner/settings/operation.h"
 #include "planner/units/unit_system.h"
+#include "ui/pages/order_lists.h"
 #include "ui/pages/qr_code.h"
 #include "ui/pages/sheet_map.h"
 #include "ui/text/display.h"
@@ -23,26 +24,9 @@ namespace furrow {
 
 namespace {
 
-struct LayoutWords {
-    Q_DECLARE_TR_FUNCTIONS(WorkOrderPages)
-};
-
 const TextLook kValue{.points = 9.0, .weight = QFont::Medium, .colour = ink::kText};
-const TextLook kHeading{.points = 11.0, .weight = QFont::DemiBold, .colour = ink::kText};
 
 constexpr double kQr = 24.0;
-constexpr std::size_t kMostFindings = 40;
-
-/// Of a method, where the turn is one alone.
-QString turnName(const std::string& id) {
-    for (const StageInfo& stage : stages()) {
-        const auto method = std::ranges::find(stage.methods, id, &MethodInfo::id);
-        if (stage.id == "path" && method != stage.methods.end()) {
-            return shown(method->name);
-        }
-    }
-    return LayoutWords::tr("Several moves");
-}
 
 QString operationName(const std::string& id) {
     const auto choice = std::ranges::find(kOperationKind.choices, id, &Choice::id);
@@ -53,7 +37,7 @@ QString operationName(const std::string& id) {
 QString settingValue(const SheetSetting& setting) {
     if (setting.parameter->kind == ParameterKind::Angle) {
         if (const auto* degrees = std::get_if<double>(&setting.value)) {
-            return LayoutWords::tr("%1°").arg(numberText(*degrees, 1));
+            return OrderWords::tr("%1°").arg(numberText(*degrees, 1));
         }
     }
     // Names of gates can be read, coordinates cannot.
@@ -62,7 +46,7 @@ QString settingValue(const SheetSetting& setting) {
                              : setting.parameter->kind == ParameterKind::Line ||
                                    setting.parameter->kind == ParameterKind::Lines;
     if (isDrawn) {
-        return LayoutWords::tr("as drawn");
+        return OrderWords::tr("as drawn");
     }
     return sentence(shownValue(*setting.parameter, setting.value));
 }
@@ -100,17 +84,17 @@ void drawField(Canvas& canvas, const QRectF& box, const QString& label, const QS
 
 QString statusText(WorkOrderStatus status) {
     switch (status) {
-        case WorkOrderStatus::Draft: return LayoutWords::tr("Draft", "work order");
-        case WorkOrderStatus::Issued: return LayoutWords::tr("Issued", "work order");
-        case WorkOrderStatus::InProgress: return LayoutWords::tr("In progress", "work order");
+        case WorkOrderStatus::Draft: return OrderWords::tr("Draft", "work order");
+        case WorkOrderStatus::Issued: return OrderWords::tr("Issued", "work order");
+        case WorkOrderStatus::InProgress: return OrderWords::tr("In progress", "work order");
         case WorkOrderStatus::Done: break;
     }
-    return LayoutWords::tr("Done", "work order");
+    return OrderWords::tr("Done", "work order");
 }
 
 QString problemText(const OrderSheet& sheet) {
     const auto problems = static_cast<int>(sheet.blockingCount());
-    return problems == 0 ? QString{} : LayoutWords::tr("Not drivable: %n problem(s)", nullptr, problems);
+    return problems == 0 ? QString{} : OrderWords::tr("Not drivable: %n problem(s)", nullptr, problems);
 }
 
 OrderLayout::OrderLayout(const OrderedPlan& plan, const QString& farm, PageFlow& flow)
@@ -126,10 +110,7 @@ void OrderLayout::lay() {
     flow_.newPage();
     layFacts();
     layRecord();
-    layFindings();
-    layComments();
-    layTurns();
-    layPasses();
+    OrderLists{plan_, flow_}.lay();
     layHash();
 }
 
@@ -137,8 +118,8 @@ void OrderLayout::layHead() {
     const QRectF box = flow_.take(19.0);
     const double textWidth = flow_.width() - kQr - 4.0;
     const QString title = plan_.order.number.empty()
-                              ? LayoutWords::tr("Work order")
-                              : LayoutWords::tr("Work order %1").arg(fromStd(plan_.order.number));
+                              ? OrderWords::tr("Work order")
+                              : OrderWords::tr("Work order %1").arg(fromStd(plan_.order.number));
     QStringList under;
     for (const QString& part :
          {plan_.planName, plan_.season, operationName(sheet_.operation), shown(sheet_.machine.name()),
@@ -171,7 +152,7 @@ QString OrderLayout::rateText() const {
     const double rate = *plan_.order.ratePerHectare * (acres ? kAcreM2 / kHectareM2 : 1.0);
     const QString amount =
         QStringLiteral("%1 %2").arg(shortNumberText(rate, 2), fromStd(plan_.order.rateUnit));
-    return (acres ? LayoutWords::tr("%1/ac") : LayoutWords::tr("%1/ha")).arg(amount.trimmed());
+    return (acres ? OrderWords::tr("%1/ac") : OrderWords::tr("%1/ha")).arg(amount.trimmed());
 }
 
 QString OrderLayout::totalText() const {
@@ -193,13 +174,13 @@ void OrderLayout::layOrder() {
     const QString rate = rateText();
     const QString total = totalText();
     const std::array<Row, 6> fields{
-        Row{LayoutWords::tr("Customer"), fromStd(plan_.order.customer)},
-        Row{LayoutWords::tr("Field address"), fromStd(plan_.order.address)},
-        Row{LayoutWords::tr("Operator"), fromStd(plan_.order.operatorName)},
-        Row{LayoutWords::tr("Time"), fromStd(plan_.order.timeWindow)},
-        Row{LayoutWords::tr("Product"), fromStd(plan_.order.product)},
-        Row{LayoutWords::tr("Rate and total"),
-            total.isEmpty() ? rate : LayoutWords::tr("%1 = %2", "rate and total").arg(rate, total)}};
+        Row{OrderWords::tr("Customer"), fromStd(plan_.order.customer)},
+        Row{OrderWords::tr("Field address"), fromStd(plan_.order.address)},
+        Row{OrderWords::tr("Operator"), fromStd(plan_.order.operatorName)},
+        Row{OrderWords::tr("Time"), fromStd(plan_.order.timeWindow)},
+        Row{OrderWords::tr("Product"), fromStd(plan_.order.product)},
+        Row{OrderWords::tr("Rate and total"),
+            total.isEmpty() ? rate : OrderWords::tr("%1 = %2", "rate and total").arg(rate, total)}};
     flow_.draw([=](Canvas& canvas) {
         canvas.line(box.topLeft() + QPointF{0.0, 0.4}, box.topLeft() + QPointF{textWidth + 4.0, 0.4},
                     ink::kLine);
@@ -215,7 +196,7 @@ void OrderLayout::layOrder() {
     const QString geo =
         QStringLiteral("geo:%1,%2").arg(meeting.latDeg, 0, 'f', 6).arg(meeting.lonDeg, 0, 'f', 6);
     const QString caption =
-        sheet_.gates.empty() ? LayoutWords::tr("Where the work starts") : LayoutWords::tr("Gate");
+        sheet_.gates.empty() ? OrderWords::tr("Where the work starts") : OrderWords::tr("Gate");
     const QRectF code{flow_.left() + flow_.width() - kQr, PageFlow::kMargin, kQr, kQr};
     flow_.draw([=, place = placeText(meeting)](Canvas& canvas) {
         drawQrCode(canvas, code, geo);
@@ -257,19 +238,18 @@ std::vector<OrderLayout::Row> OrderLayout::figureRows() const {
     const double working = figures.path.si() > 0.0 ? figures.working / figures.path : 0.0;
     const QString dash = QStringLiteral("–");
     return {
-        {LayoutWords::tr("Area"), areaText(figures.field)},
-        {LayoutWords::tr("Time"), durationText(figures.time)},
-        {LayoutWords::tr("Driven"), lengthText(figures.path)},
-        {LayoutWords::tr("Working"), inOneLine({lengthText(figures.working), percentText(working)})},
-        {LayoutWords::tr("Turning"),
+        {OrderWords::tr("Area"), areaText(figures.field)},
+        {OrderWords::tr("Time"), durationText(figures.time)},
+        {OrderWords::tr("Driven"), lengthText(figures.path)},
+        {OrderWords::tr("Working"), inOneLine({lengthText(figures.working), percentText(working)})},
+        {OrderWords::tr("Turning"),
          inOneLine({lengthText(figures.path - figures.working), percentText(1.0 - working)})},
-        {LayoutWords::tr("Covered"), percentOrDash(figures.coveredShare, 1)},
-        {LayoutWords::tr("Worked twice"), percentOrDash(figures.overlapShare, 1)},
-        {LayoutWords::tr("Outside the field"),
-         figures.outside ? squareMetresText(*figures.outside, 0) : dash},
-        {LayoutWords::tr("Fuel"),
-         figures.fuelLitres ? LayoutWords::tr("%1 l").arg(numberText(*figures.fuelLitres, 0)) : dash},
-        {LayoutWords::tr("Above the best order"), percentOrDash(figures.gap, 1)},
+        {OrderWords::tr("Covered"), percentOrDash(figures.coveredShare, 1)},
+        {OrderWords::tr("Worked twice"), percentOrDash(figures.overlapShare, 1)},
+        {OrderWords::tr("Outside the field"), figures.outside ? squareMetresText(*figures.outside, 0) : dash},
+        {OrderWords::tr("Fuel"),
+         figures.fuelLitres ? OrderWords::tr("%1 l").arg(numberText(*figures.fuelLitres, 0)) : dash},
+        {OrderWords::tr("Above the best order"), percentOrDash(figures.gap, 1)},
     };
 }
 
@@ -292,37 +272,27 @@ void OrderLayout::layFigures() {
     });
 }
 
-void OrderLayout::heading(const QString& text, double heightBelow) {
-    flow_.skip(3.0);
-    flow_.need(8.0 + heightBelow);
-    const QRectF box = flow_.take(8.0);
-    flow_.draw([=](Canvas& canvas) {
-        canvas.text(box.topLeft() + QPointF{0.0, 5.0}, text, kHeading);
-        canvas.line(box.topLeft() + QPointF{0.0, 6.6}, box.topRight() + QPointF{0.0, 6.6}, ink::kLine);
-    });
-}
-
 std::vector<OrderLayout::Row> OrderLayout::machineRows() const {
     const Machine& machine = sheet_.machine;
     const MachineSpec& spec = machine.spec();
-    std::vector<Row> rows{{LayoutWords::tr("Machine"), shown(machine.name())},
-                          {LayoutWords::tr("Working width"), shortLengthText(machine.operatingWidth())},
-                          {LayoutWords::tr("Width in turns"), shortLengthText(machine.turningWidth())},
-                          {LayoutWords::tr("Turning radius"), metresText(machine.minTurningRadius(), 1)},
-                          {LayoutWords::tr("Speed at work"), speedText(spec.tractor.workingSpeed)},
-                          {LayoutWords::tr("Speed in turns"), speedText(spec.tractor.turningSpeed)},
-                          {LayoutWords::tr("Implement"), spec.implement.mounting == Mounting::Trailed
-                                                             ? LayoutWords::tr("trailed")
-                                                             : LayoutWords::tr("mounted")}};
+    std::vector<Row> rows{{OrderWords::tr("Machine"), shown(machine.name())},
+                          {OrderWords::tr("Working width"), shortLengthText(machine.operatingWidth())},
+                          {OrderWords::tr("Width in turns"), shortLengthText(machine.turningWidth())},
+                          {OrderWords::tr("Turning radius"), metresText(machine.minTurningRadius(), 1)},
+                          {OrderWords::tr("Speed at work"), speedText(spec.tractor.workingSpeed)},
+                          {OrderWords::tr("Speed in turns"), speedText(spec.tractor.turningSpeed)},
+                          {OrderWords::tr("Implement"), spec.implement.mounting == Mounting::Trailed
+                                                            ? OrderWords::tr("trailed")
+                                                            : OrderWords::tr("mounted")}};
     if (spec.tank) {
         // Its unit is the user's own: litres, kilograms, seeds. What it is enough for needs none.
         const QString land = spec.tank->ratePerM2 > 0.0
                                  ? areaText(squareMetres(spec.tank->capacity / spec.tank->ratePerM2))
                                  : QString{};
-        rows.push_back({LayoutWords::tr("Tank"), land.isEmpty() ? numberText(spec.tank->capacity, 0)
-                                                 : operationOf(sheet_.operation).tank == TankUse::Fills
-                                                     ? LayoutWords::tr("full after %1").arg(land)
-                                                     : LayoutWords::tr("enough for %1").arg(land)});
+        rows.push_back({OrderWords::tr("Tank"), land.isEmpty() ? numberText(spec.tank->capacity, 0)
+                                                : operationOf(sheet_.operation).tank == TankUse::Fills
+                                                    ? OrderWords::tr("full after %1").arg(land)
+                                                    : OrderWords::tr("enough for %1").arg(land)});
     }
     return rows;
 }
@@ -330,16 +300,16 @@ std::vector<OrderLayout::Row> OrderLayout::machineRows() const {
 std::vector<OrderLayout::Row> OrderLayout::planRows() const {
     const SheetFigures& figures = sheet_.figures;
     const QString headland = figures.headlandPasses > 0
-                                 ? inOneLine({LayoutWords::tr("%n pass(es)", nullptr, figures.headlandPasses),
+                                 ? inOneLine({OrderWords::tr("%n pass(es)", nullptr, figures.headlandPasses),
                                               metresText(figures.headlandWidth, 1)})
-                                 : LayoutWords::tr("none", "headland");
-    std::vector<Row> rows{{LayoutWords::tr("Operation"), operationName(sheet_.operation)},
-                          {LayoutWords::tr("Headland"), headland},
-                          {LayoutWords::tr("Swaths"), numberText(figures.swaths, 0)},
-                          {LayoutWords::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
+                                 : OrderWords::tr("none", "headland");
+    std::vector<Row> rows{{OrderWords::tr("Operation"), operationName(sheet_.operation)},
+                          {OrderWords::tr("Headland"), headland},
+                          {OrderWords::tr("Swaths"), numberText(figures.swaths, 0)},
+                          {OrderWords::tr("Kept free at the edge"), shortLengthText(figures.margin)}};
     if (figures.refills > 0) {
         const bool unloads = operationOf(sheet_.operation).tank == TankUse::Fills;
-        rows.push_back({unloads ? LayoutWords::tr("Unloadings") : LayoutWords::tr("Refills"),
+        rows.push_back({unloads ? OrderWords::tr("Unloadings") : OrderWords::tr("Refills"),
                         inOneLine({numberText(figures.refills, 0), lengthText(figures.refillWay)})});
     }
     for (const SheetSetting& setting : sheet_.settings) {
@@ -388,17 +358,17 @@ void OrderLayout::layFacts() {
     constexpr std::size_t kMostRows = 40;
     std::vector<Row> rows = planRows();
     rows.resize(std::min(rows.size(), kMostRows));
-    rowsSideBySide(LayoutWords::tr("Machine"), machineRows(), LayoutWords::tr("Plan and settings"), rows);
+    rowsSideBySide(OrderWords::tr("Machine"), machineRows(), OrderWords::tr("Plan and settings"), rows);
 }
 
 void OrderLayout::layRecord() {
-    heading(LayoutWords::tr("What was done"), 46.0);
+    layHeading(flow_, OrderWords::tr("What was done"), 46.0);
     constexpr double kHeight = 44.0;
     const QRectF box = flow_.take(kHeight);
     const QString area = plan_.order.actualArea ? hectaresText(*plan_.order.actualArea, 2) : QString{};
     const QString time = plan_.order.actualTime ? durationText(*plan_.order.actualTime) : QString{};
-    const QString areaLabel = Display::instance().isImperial() ? LayoutWords::tr("Acres worked")
-                                                               : LayoutWords::tr("Hectares worked");
+    const QString areaLabel =
+        Display::instance().isImperial() ? OrderWords::tr("Acres worked") : OrderWords::tr("Hectares worked");
     flow_.draw([=, status = plan_.order.status, remark = fromStd(plan_.order.remark)](Canvas& canvas) {
         const double column = box.width() / 4.0;
         const auto cell = [&](int index, int row, int span = 1) {
@@ -417,184 +387,15 @@ void OrderLayout::layRecord() {
             x += 4.6 + textWidthMm(statusText(each), kBody) + 7.0;
         }
         drawField(canvas, cell(0, 0), areaLabel, area);
-        drawField(canvas, cell(1, 0), LayoutWords::tr("Hours"), time);
-        drawField(canvas, cell(2, 0), LayoutWords::tr("Begin"), {});
-        drawField(canvas, cell(3, 0), LayoutWords::tr("End", "of the work"), {});
-        drawField(canvas, cell(0, 1), LayoutWords::tr("Wind"), {});
-        drawField(canvas, cell(1, 1), LayoutWords::tr("Temperature"), {});
-        drawField(canvas, cell(2, 1, 2), LayoutWords::tr("Remarks"), remark);
-        drawField(canvas, cell(0, 2, 2), LayoutWords::tr("Date"), {});
-        drawField(canvas, cell(2, 2, 2), LayoutWords::tr("Signature"), {});
+        drawField(canvas, cell(1, 0), OrderWords::tr("Hours"), time);
+        drawField(canvas, cell(2, 0), OrderWords::tr("Begin"), {});
+        drawField(canvas, cell(3, 0), OrderWords::tr("End", "of the work"), {});
+        drawField(canvas, cell(0, 1), OrderWords::tr("Wind"), {});
+        drawField(canvas, cell(1, 1), OrderWords::tr("Temperature"), {});
+        drawField(canvas, cell(2, 1, 2), OrderWords::tr("Remarks"), remark);
+        drawField(canvas, cell(0, 2, 2), OrderWords::tr("Date"), {});
+        drawField(canvas, cell(2, 2, 2), OrderWords::tr("Signature"), {});
     });
-}
-
-namespace {
-
-constexpr double kRemarkIndent = 9.0;
-constexpr double kRemarkAside = 38.0;
-
-TextLook quietBody() {
-    TextLook look = kBody;
-    look.colour = ink::kQuiet;
-    return look;
-}
-
-}  // namespace
-
-/// A mark that is on the map, what is said there, and something short on the right.
-void OrderLayout::layRemark(const QString& mark, const QColor& colour, const std::vector<Paragraph>& text,
-                            const QString& aside) {
-    std::vector<Paragraph> lines;
-    for (const Paragraph& paragraph : text) {
-        for (const QString& line :
-             wrappedLines(paragraph.text, flow_.width() - kRemarkIndent - kRemarkAside, paragraph.look)) {
-            lines.push_back({line, paragraph.look});
-        }
-    }
-    const double height = 1.6 + lineHeightMm(kBody) * static_cast<double>(lines.size());
-    flow_.need(height);
-    const QRectF box = flow_.take(height);
-    const TextLook quiet{.points = 7.5, .weight = QFont::Normal, .colour = ink::kQuiet};
-    flow_.draw([=, shortened = elided(aside, kRemarkAside - 2.0, quiet)](Canvas& canvas) {
-        canvas.text(box.topLeft() + QPointF{5.5, 3.4}, mark,
-                    {.points = 8.5, .weight = QFont::DemiBold, .colour = colour}, Qt::AlignRight);
-        double base = box.top() + 3.4;
-        for (const Paragraph& line : lines) {
-            canvas.text({box.left() + kRemarkIndent, base}, line.text, line.look);
-            base += lineHeightMm(kBody);
-        }
-        canvas.text(box.topRight() + QPointF{0.0, 3.4}, shortened, quiet, Qt::AlignRight);
-    });
-}
-
-void OrderLayout::layFindings() {
-    heading(LayoutWords::tr("Findings"), 10.0);
-    if (sheet_.findings.empty()) {
-        const QRectF box = flow_.take(5.0);
-        flow_.draw([box](Canvas& canvas) {
-            canvas.text(box.topLeft() + QPointF{0.0, 3.6},
-                        LayoutWords::tr("None: the plan can be driven as drawn."), kBody);
-        });
-        return;
-    }
-    const std::size_t count = kMostFindings;
-    for (std::size_t i = 0; i < std::min(sheet_.findings.size(), count); ++i) {
-        const Finding& finding = sheet_.findings[i];
-        const bool blocking = isBlocking(finding);
-        TextLook look = kBody;
-        look.weight = blocking ? QFont::DemiBold : QFont::Normal;
-        layRemark(QString::number(i + 1), blocking ? ink::kFailure : ink::kFinding,
-                  {{sentence(finding.text), look}, {sentence(finding.suggestion), quietBody()}},
-                  placeText(sheet_.findingPlaces[i]));
-    }
-    if (sheet_.findings.size() > count) {
-        const QRectF box = flow_.take(5.0);
-        const QString more = LayoutWords::tr("and %n more, in the window and in summary.json", nullptr,
-                                             static_cast<int>(sheet_.findings.size() - count));
-        flow_.draw([=](Canvas& canvas) {
-            canvas.text(box.topLeft() + QPointF{kRemarkIndent, 3.6}, more, quietBody());
-        });
-    }
-}
-
-void OrderLayout::layComments() {
-    if (plan_.comments.empty()) {
-        return;
-    }
-    heading(LayoutWords::tr("Comments"), 10.0);
-    for (std::size_t i = 0; i < plan_.comments.size(); ++i) {
-        layRemark(commentLetter(i), ink::kText, {{fromStd(plan_.comments[i].text), kBody}},
-                  fromStd(plan_.comments[i].author));
-    }
-}
-
-void OrderLayout::layTurns() {
-    if (sheet_.turns.empty()) {
-        return;
-    }
-    QStringList kinds;
-    for (const SheetTurns& turns : sheet_.turns) {
-        kinds << LayoutWords::tr("%1 × %2", "count and kind of turns")
-                     .arg(turns.count)
-                     .arg(turnName(turns.type));
-    }
-    if (sheet_.figures.reverse > metres(0.0)) {
-        kinds << LayoutWords::tr("%1 in reverse").arg(lengthText(sheet_.figures.reverse));
-    }
-    const QStringList lines = wrappedLines(inOneLine(kinds), flow_.width(), kBody);
-    heading(LayoutWords::tr("Turns"), lineHeightMm(kBody) * static_cast<double>(lines.size()));
-    for (const QString& line : lines) {
-        const QRectF box = flow_.take(lineHeightMm(kBody));
-        flow_.draw([=](Canvas& canvas) { canvas.text(box.topLeft() + QPointF{0.0, 3.2}, line, kBody); });
-    }
-}
-
-void OrderLayout::layPasses() {
-    constexpr double kRow = 4.1;
-    constexpr double kHead = 5.0;
-    struct Pass {
-        QString number;
-        QString name;
-        QString length;
-        QString bearing;
-    };
-    std::vector<Pass> passes;
-    for (const SheetPass& pass : sheet_.passes) {
-        const bool headland = pass.kind == SegmentKind::HeadlandPass;
-        passes.push_back({QString::number(passes.size() + 1),
-                          headland ? LayoutWords::tr("Headland") + u' ' +
-                                         LayoutWords::tr("H%1", "headland pass").arg(pass.number)
-                                   : LayoutWords::tr("Swath %1").arg(pass.number),
-                          lengthText(pass.length),
-                          pass.bearingDeg ? LayoutWords::tr("%1°").arg(
-                                                static_cast<int>(std::lround(*pass.bearingDeg)) % 360)
-                                          : QString{}});
-    }
-    constexpr int kColumns = 4;
-    constexpr double kBearing = 7.8;
-    const TextLook cell{.points = 8.0, .weight = QFont::Normal, .colour = ink::kText};
-    const double width = flow_.width() / kColumns;
-    heading(LayoutWords::tr("Order of the passes"), kHead + 3.0 * kRow);
-    std::size_t next = 0;
-    while (next < passes.size()) {
-        flow_.need(kHead + kRow);
-        const auto most = static_cast<std::size_t>((flow_.rest() - kHead) / kRow);
-        const std::size_t left = passes.size() - next;
-        const std::size_t rows = std::min(most, (left + kColumns - 1) / kColumns);
-        const QRectF box = flow_.take(kHead + static_cast<double>(rows) * kRow);
-        for (int column = 0; column < kColumns && next < passes.size(); ++column) {
-            const std::size_t end = std::min(passes.size(), next + rows);
-            const double x = box.left() + column * width;
-            const double inner = width - 3.5;
-            flow_.draw([=, part = std::vector<Pass>(passes.begin() + static_cast<std::ptrdiff_t>(next),
-                                                    passes.begin() + static_cast<std::ptrdiff_t>(end))](
-                           Canvas& canvas) {
-                const double top = box.top();
-                canvas.text({x + 6.0, top + 3.2}, LayoutWords::tr("No."), kLabel, Qt::AlignRight);
-                canvas.text({x + 7.5, top + 3.2}, LayoutWords::tr("Pass"), kLabel);
-                canvas.text({x + inner - kBearing, top + 3.2}, LayoutWords::tr("Length"), kLabel,
-                            Qt::AlignRight);
-                canvas.text({x + inner, top + 3.2}, LayoutWords::tr("To"), kLabel, Qt::AlignRight);
-                TextLook bold = cell;
-                bold.weight = QFont::DemiBold;
-                for (std::size_t i = 0; i < part.size(); ++i) {
-                    const double y = top + kHead + static_cast<double>(i) * kRow;
-                    if (i % 2 == 0) {
-                        canvas.rectangle({x, y, inner, kRow}, ink::kGround);
-                    }
-                    canvas.text({x + 6.0, y + 3.0}, part[i].number, cell, Qt::AlignRight);
-                    canvas.text({x + 7.5, y + 3.0}, elided(part[i].name, inner - 7.5 - kBearing - 10.0, bold),
-                                bold);
-                    canvas.text({x + inner - kBearing, y + 3.0}, part[i].length, cell, Qt::AlignRight);
-                    canvas.text({x + inner, y + 3.0}, part[i].bearing, cell, Qt::AlignRight);
-                }
-            });
-            next = end;
-        }
-        if (next < passes.size()) {
-            flow_.newPage();
-        }
-    }
 }
 
 void OrderLayout::layHash() {
@@ -604,7 +405,7 @@ void OrderLayout::layHash() {
     flow_.draw([box, hash = plan_.hash](Canvas& canvas) {
         canvas.text(
             box.topLeft() + QPointF{0.0, 3.0},
-            LayoutWords::tr(
+            OrderWords::tr(
                 "This plan's path.csv has the SHA-256 sum below. A file with another sum is another plan."),
             kLabel);
         canvas.text(box.topLeft() + QPointF{0.0, 7.2}, hash,

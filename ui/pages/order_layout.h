@@ -24,19 +24,8 @@ private:
     void layFigures();
     void layFacts();
     void layRecord();
-    void layFindings();
-    void layComments();
-    void layTurns();
-    void layPasses();
     void layHash();
 
-    void heading(const QString& text, double heightBelow);
-    struct Paragraph {
-        QString text;
-        TextLook look;
-    };
-    void layRemark(const QString& mark, const QColor& colour, const std::vector<Paragraph>& text,
-                   const QString& aside);
     void rowsSideBySide(const QString& leftTitle, const std::vector<Row>& left, const QString& rightTitle,
                         const std::vector<Row>& right);
     std::vector<Row> machineRows() const;
