@@ -1,7 +1,5 @@
 #include "ui/pages/order_layout.h"
 
-#include "planner/path/blocking.h"
-#include "planner/plan/method_registry.h"
 #include "planner/plan/shown_value.h"
 #include "planner/settings/operation.h"
 #include "planner/units/unit_system.h"
@@ -13,7 +11,6 @@
 #include "ui/text/setting_text.h"
 #include "ui/text/unit_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "planner/path/blocking.h"
 #include "planner/plan/method_registry.h"
+#include "ui/pages/sheet_map.h"
 #include "ui/text/message_text.h"
 #include "ui/text/unit_text.h"
 
