@@ -129,7 +129,7 @@ WorkingRoom::WorkingRoom(const MultiPolygon& drivable, const Machine& machine, c
                 addCorners(part, axle, -runInM * i / kWayPoses, curvature1pm, corners);
             }
             Ring hull = hullAround(std::move(corners));
-            sweep.push_back({.ring = hull, .box = bounds({{.outer = hull, .holes = {}}})});
+            sweep.push_back({.ring = hull, .box = bounds(hull)});
             for (const Point& corner : hull) {
                 lookM_ = std::max(lookM_, lengthOf(corner) + halfWidthM_);
             }
@@ -234,7 +234,7 @@ std::optional<MultiPolygon> squaresWithRoom(const Polygon& polygon, const Workin
         if (row.size() < 3) {
             continue;
         }
-        const Bounds extent = bounds({{.outer = row, .holes = {}}});
+        const Bounds extent = bounds(row);
         std::optional<double> begun;
         const auto end = [&](double x) {
             if (begun) {

@@ -16,6 +16,11 @@ constexpr Length kNeckSpare = metres(0.8);
 // Beyond this number of results all are forgotten: some ten megabytes.
 constexpr std::size_t kMostWaysKept = 20'000;
 
+std::optional<DrivenParts> partsOf(const MultiPolygon& area, Length breadth) {
+    auto found = DrivenParts::of(area, breadth, {});
+    return found ? std::optional{*std::move(found)} : std::nullopt;
+}
+
 }  // namespace
 
 WaySearches::WaySearches(const AllowedAreas& areas, const Machine& machine, TravelCost travel)
@@ -69,9 +74,7 @@ bool WaySearches::areApart(const Pose& from, const Pose& to) {
     const Tractor& tractor = rig_.machine().spec().tractor;
     std::call_once(onceThrough_, [&] {
         const Length disc = std::min(tractor.width, tractor.length) - metres(kNeckContactM);
-        if (auto found = DrivenParts::of(areas_.tractor(), disc, {})) {
-            through_ = *std::move(found);
-        }
+        through_ = partsOf(areas_.tractor(), disc);
     });
     const auto middle = [&](const Pose& pose) {
         const Length ahead = 0.5 * tractor.length - tractor.rearOverhang;
@@ -82,10 +85,7 @@ bool WaySearches::areApart(const Pose& from, const Pose& to) {
 
 const DrivenParts* WaySearches::parts() {
     std::call_once(once_, [this] {
-        if (auto found =
-                DrivenParts::of(areas_.tractor(), rig_.machine().spec().tractor.width + kNeckSpare, {})) {
-            parts_ = *std::move(found);
-        }
+        parts_ = partsOf(areas_.tractor(), rig_.machine().spec().tractor.width + kNeckSpare);
     });
     return parts_ ? &*parts_ : nullptr;
 }
